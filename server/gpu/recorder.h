@@ -1,0 +1,54 @@
+// Records compute work, submits it and waits. Passes are timed with timestamps.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/fwd.h"
+
+namespace radiata::gpu {
+
+struct PassTiming {
+    std::string name;
+    std::string shader;
+    double time_ms = 0;
+};
+
+/// Not thread-safe; one per thread of work, reused from frame to frame.
+class CommandRecorder {
+public:
+    explicit CommandRecorder(Device& device);
+    ~CommandRecorder();
+    CommandRecorder(const CommandRecorder&) = delete;
+    CommandRecorder& operator=(const CommandRecorder&) = delete;
+
+    /// Runs groups of the pipeline's workgroup size. Everything recorded before is visible to it (a barrier comes first).
+    /// \param pass  name under which its time is reported; dispatches of one name add up
+    /// \param push  plain struct of at most kPushConstantBytes
+    template <typename Push>
+    void dispatch(const ComputePipeline& pipeline, const std::string& pass, std::uint32_t groups_x, std::uint32_t groups_y,
+                  std::uint32_t groups_z, const Push& push) {
+        static_assert(sizeof(Push) <= 128);
+        dispatchBytes(pipeline, pass, groups_x, groups_y, groups_z, &push, sizeof(Push));
+    }
+    void copy(const Buffer& source, std::uint64_t source_offset, const Buffer& target, std::uint64_t target_offset,
+              std::uint64_t size_bytes);
+    /// Fills whole words. \param size_bytes  multiple of 4
+    void fill(const Buffer& target, std::uint64_t offset_bytes, std::uint64_t size_bytes, std::uint32_t word);
+
+    /// Submits what was recorded and waits for it. \throws Error(kUnavailable) if the device is lost
+    void submitAndWait();
+    /// Times of all passes since the last call, in order of first use; the names' times are summed.
+    std::vector<PassTiming> takeTimings();
+
+private:
+    void dispatchBytes(const ComputePipeline& pipeline, const std::string& pass, std::uint32_t groups_x, std::uint32_t groups_y,
+                       std::uint32_t groups_z, const void* push, std::size_t push_size);
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace radiata::gpu

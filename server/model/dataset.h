@@ -1,0 +1,28 @@
+// What the catalogue says about one dataset.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include <glm/glm.hpp>
+
+#include "math/sh_convention.h"
+#include "math/sh_layout.h"
+
+namespace radiata::model {
+
+struct DatasetInfo {
+    std::string id;  ///< [a-z0-9_-], 1 to 64 characters
+    glm::ivec3 size{0};
+    glm::dmat4 voxel_to_world{1.0};
+    ShLayout layout;
+    ShConvention convention = ShConvention::kTournier07;  ///< of the file
+    ShAxes axes = ShAxes::kWorld;
+    std::uint64_t glyph_count = 0;
+    std::uint64_t rejected_voxels = 0;
+    float amplitude_max = 0;
+    std::uint64_t gpu_bytes = 0;
+    glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs
+};
+
+}  // namespace radiata::model

@@ -1,0 +1,90 @@
+// What a picture is made from, and what is known about it afterwards. Mirrors proto/radiata/v1/{quality,frame}.proto.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "model/camera.h"
+#include "model/scene.h"
+
+namespace radiata::model {
+
+enum class Intersection { kMarch, kPolynomial };
+enum class Traversal { kAuto, kRayQuery, kBvh, kTiles };
+enum class PoleTable { kAuto, kOn, kOff };
+
+struct Quality {
+    int samples = 16;  ///< per pixel of a picture at rest
+    Intersection intersection = Intersection::kMarch;
+    Traversal traversal = Traversal::kAuto;
+    PoleTable pole_table = PoleTable::kAuto;
+    int jpeg_quality = 90;
+    bool operator==(const Quality&) const = default;
+};
+
+struct FrameRequest {
+    Scene scene;
+    Camera camera;
+    Quality quality;
+    int width = 1280;
+    int height = 720;
+    bool operator==(const FrameRequest&) const = default;
+};
+
+/// Bits of the lossless outputs that are wanted beside the picture.
+struct Outputs {
+    bool depth = false;
+    bool id = false;
+    bool position = false;
+    bool normal = false;
+    bool steps = false;
+    bool any() const { return depth || id || position || normal || steps; }
+};
+
+enum class FrameState { kInteractive, kRefining, kConverged };
+
+struct PassTime {
+    std::string name;
+    std::string shader;
+    double time_ms = 0;
+};
+
+/// Everything about a frame but its pixels.
+struct FrameInfo {
+    FrameRequest request;  ///< with every open choice filled in
+    FrameState state = FrameState::kInteractive;
+    int samples = 0;  ///< in this picture
+    std::vector<PassTime> passes;
+    double render_ms = 0;  ///< wall clock, passes and read-back
+    bool pole_table_used = false;
+    std::string pole_table_reason;
+    std::string traversal_reason;
+    std::uint64_t glyphs = 0;
+    std::uint64_t glyphs_available = 0;
+    std::uint64_t hit_pixels = 0;
+    std::uint64_t capped_rays = 0;
+    double depth_offset_mm = 0;
+    glm::dvec3 position_origin_mm{0};
+    std::string device;
+};
+
+/// Row-major, first row on top. Arrays that were not wanted are empty.
+struct FramePixels {
+    int width = 0;
+    int height = 0;
+    std::vector<std::uint8_t> rgba;   ///< sRGB, 4 bytes a pixel, alpha 255
+    std::vector<float> depth;         ///< along the line of sight minus depth_offset_mm; +inf: nothing
+    std::vector<std::int32_t> id;     ///< 4 a pixel: layer, i, j, k; -1: nothing
+    std::vector<float> position;      ///< 3 a pixel: world minus position_origin_mm; NaN: nothing
+    std::vector<float> normal;        ///< 3 a pixel: unit, world, towards the viewer; 0: nothing
+    std::vector<std::int32_t> steps;  ///< march steps over all glyphs tried
+};
+
+struct Frame {
+    FrameInfo info;
+    FramePixels pixels;
+};
+
+}  // namespace radiata::model

@@ -1,0 +1,94 @@
+#include "model/limits.h"
+
+#include <cmath>
+#include <string>
+
+#include "base/error.h"
+#include "math/sh_layout.h"
+
+namespace radiata::model {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw Error(Code::kInvalidArgument, message); }
+
+bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+void checkSelection(const VoxelSelection& selection, const std::string& where) {
+    if (selection.region == Region::kVolume) return;
+    if (selection.position_mm && !finite(*selection.position_mm)) refuse(where + ".position_mm must be finite");
+    if (selection.plane == Plane::kOblique) {
+        const double length = glm::length(selection.normal);
+        if (!finite(selection.normal) || !(length > 0) || !std::isfinite(length)) {
+            refuse(where + ".normal must be finite and not zero for an oblique plane");
+        }
+    }
+    if (selection.region == Region::kSlab && !(selection.thickness_mm > 0 && std::isfinite(selection.thickness_mm))) {
+        refuse(where + ".thickness_mm is " + std::to_string(selection.thickness_mm) + "; it must be finite and above 0");
+    }
+}
+
+void checkLayer(const Layer& layer, const std::string& where) {
+    const GlyphLayer& glyphs = layer.glyphs;
+    if (glyphs.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
+    checkSelection(glyphs.selection, where + ".selection");
+    if (!(glyphs.scale.factor > 0 && glyphs.scale.factor <= 1e6F)) {
+        refuse(where + ".scale.factor is " + std::to_string(glyphs.scale.factor) + "; it must be above 0 and at most 1e6");
+    }
+    if (glyphs.lmax && (*glyphs.lmax < 0 || *glyphs.lmax > kLmaxLimit)) {
+        refuse(where + ".lmax is " + std::to_string(*glyphs.lmax) + "; it must be 0 to 16");
+    }
+    if (!(layer.opacity > 0 && layer.opacity <= 1)) {
+        refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
+    }
+}
+
+void checkScene(const Scene& scene, const Limits& limits) {
+    if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
+    if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
+        throw Error(Code::kResourceExhausted, "scene.layers has " + std::to_string(scene.layers.size()) +
+                                                  " layers; the server draws at most " + std::to_string(limits.layers_max));
+    }
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "].glyphs");
+    }
+    const Light& light = scene.light;
+    if (!finite(light.direction_camera) || !(glm::length(light.direction_camera) > 0)) {
+        refuse("scene.light.direction_camera must be finite and not zero");
+    }
+    if (!(light.irradiance >= 0 && light.irradiance <= 100)) {
+        refuse("scene.light.irradiance is " + std::to_string(light.irradiance) + "; it must be 0 to 100");
+    }
+    if (!(light.ambient >= 0 && light.ambient <= 10)) {
+        refuse("scene.light.ambient is " + std::to_string(light.ambient) + "; it must be 0 to 10");
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (!(scene.background[c] >= 0 && scene.background[c] <= 1)) refuse("scene.background must be 0 to 1 in each channel");
+    }
+}
+
+}  // namespace
+
+void validate(const FrameRequest& request, const Limits& limits) {
+    if (request.width < 1 || request.height < 1) {
+        refuse("picture size is " + std::to_string(request.width) + "x" + std::to_string(request.height) +
+               " pixels; both must be at least 1");
+    }
+    if (request.width > limits.width_max || request.height > limits.height_max ||
+        static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height) > limits.pixels_max) {
+        throw Error(Code::kResourceExhausted,
+                    "picture size is " + std::to_string(request.width) + "x" + std::to_string(request.height) +
+                        " pixels; at most " + std::to_string(limits.width_max) + "x" + std::to_string(limits.height_max) +
+                        " and " + std::to_string(limits.pixels_max) + " in all are drawn");
+    }
+    if (request.quality.samples < 1 || request.quality.samples > limits.samples_max) {
+        refuse("quality.samples is " + std::to_string(request.quality.samples) + "; it must be 1 to " +
+               std::to_string(limits.samples_max));
+    }
+    if (request.quality.jpeg_quality < 1 || request.quality.jpeg_quality > 100) {
+        refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
+    }
+    checkScene(request.scene, limits);
+    cameraFrame(request.camera);
+}
+
+}  // namespace radiata::model

@@ -1,0 +1,25 @@
+// What a request may ask for. One place; the limits call publishes it and the checks read it.
+#pragma once
+
+#include <cstdint>
+
+#include "model/frame.h"
+
+namespace radiata::model {
+
+struct Limits {
+    int width_max = 8192;
+    int height_max = 8192;
+    std::uint64_t pixels_max = 16'777'216;
+    int samples_max = 64;
+    int layers_max = 8;
+    int views_max = 64;
+    int window_max = 8;
+    std::uint64_t message_bytes_max = 1 << 20;
+};
+
+/// Checks everything about a request that needs no dataset.
+/// \throws Error(kInvalidArgument or kResourceExhausted) naming field, value and range
+void validate(const FrameRequest& request, const Limits& limits);
+
+}  // namespace radiata::model

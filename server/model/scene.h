@@ -1,0 +1,71 @@
+// What is shown: layers, light, background. Mirrors proto/radiata/v1/scene.proto with every choice filled in.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+namespace radiata::model {
+
+enum class Plane { kAxial, kCoronal, kSagittal, kOblique };
+enum class Region { kSlice, kSlab, kVolume };
+enum class ScaleMode { kGlobal, kPerGlyph, kAbsolute };
+enum class NegativeLobes { kHidden, kShown };
+enum class Convention { kRadiological, kNeurological };
+
+/// Which voxels of a dataset get a glyph.
+struct VoxelSelection {
+    Region region = Region::kVolume;
+    Plane plane = Plane::kAxial;
+    std::optional<glm::dvec3> position_mm;  ///< world; none: the dataset's centre
+    glm::dvec3 normal{0, 0, 1};             ///< for kOblique; any length but zero
+    double thickness_mm = 0;                ///< for kSlab
+    bool operator==(const VoxelSelection&) const = default;
+};
+
+struct GlyphScale {
+    ScaleMode mode = ScaleMode::kGlobal;
+    float factor = 1;
+    bool operator==(const GlyphScale&) const = default;
+};
+
+struct GlyphLayer {
+    std::string dataset_id;
+    VoxelSelection selection;
+    GlyphScale scale;
+    std::optional<int> lmax;  ///< none: all bands
+    NegativeLobes negative_lobes = NegativeLobes::kHidden;
+    bool operator==(const GlyphLayer&) const = default;
+};
+
+struct Layer {
+    GlyphLayer glyphs;
+    float opacity = 1;
+    bool operator==(const Layer&) const = default;
+};
+
+/// The default is the light named "headlight-left": above and left of the viewer.
+struct Light {
+    glm::dvec3 direction_camera{-0.4, 0.6, 1.0};
+    float irradiance = 2.6F;
+    float ambient = 0.35F;
+    bool operator==(const Light&) const = default;
+};
+
+struct Annotations {
+    Convention convention = Convention::kRadiological;
+    bool hidden = false;
+    bool operator==(const Annotations&) const = default;
+};
+
+struct Scene {
+    std::vector<Layer> layers;
+    Light light;
+    glm::vec3 background{0};
+    Annotations annotations;
+    bool operator==(const Scene&) const = default;
+};
+
+}  // namespace radiata::model

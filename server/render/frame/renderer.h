@@ -1,0 +1,65 @@
+// Runs the passes of a plan on the device and brings the picture back.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/fwd.h"
+#include "model/frame.h"
+#include "model/limits.h"
+
+namespace radiata::store {
+class Store;
+}
+
+namespace radiata::render {
+
+/// Device buffers of one view: surface buffer, accumulated light, read-back. Each view owns one; only one render uses it at a time.
+class Target {
+public:
+    Target();
+    ~Target();
+    Target(Target&&) noexcept;
+    Target& operator=(Target&&) noexcept;
+
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+/// Not thread-safe: one thread renders. Device and store must outlive it.
+class Renderer {
+public:
+    /// Runs the start-up self-test: draws a known picture on each traversal path and drops a path whose picture is wrong.
+    Renderer(gpu::Device& device, store::Store& store, const model::Limits& limits = {});
+    ~Renderer();
+
+    /// Adds samples [first_sample, first_sample + count) to the picture in the target and returns it.
+    /// first_sample 0 starts anew; any other must continue the same request in the same target.
+    /// The bytes depend on the request and on first_sample + count only, not on how the samples were split over calls.
+    /// \param outputs  lossless arrays wanted too; taken from sample 0, so only with first_sample 0
+    /// \param cancel   looked at between submissions, at most every 50 ms; may be null
+    /// \throws Error(kInvalidArgument, kNotFound, kResourceExhausted, kUnsupported), Error(kCancelled) if cancelled
+    model::Frame render(Target& target, const model::FrameRequest& request, int first_sample, int count,
+                        const model::Outputs& outputs = {}, const std::atomic<bool>* cancel = nullptr);
+
+    /// All samples of the request at once.
+    model::Frame renderAll(const model::FrameRequest& request, const model::Outputs& outputs = {},
+                           const std::atomic<bool>* cancel = nullptr);
+
+    /// A camera that shows the selection of a dataset as users expect: axial from the feet and coronal from the front in
+    /// radiological convention (mirrored in neurological), sagittal from the left, orthographic.
+    model::Camera fitCamera(const std::string& dataset_id, const model::VoxelSelection& selection, model::Convention convention,
+                            double aspect);
+
+    /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles".
+    std::vector<std::string> traversals() const;
+    const std::string& deviceName() const;
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace radiata::render

@@ -1,0 +1,49 @@
+// Datasets by catalogue id: read on first use, kept in device memory. The catalogue is a folder's image files or a list;
+// ids are made from file names once, at start-up, and requests are looked up in that table, so none reaches the file system.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "gpu/fwd.h"
+#include "model/dataset.h"
+#include "model/sh_image.h"
+#include "io/sh_options.h"
+
+namespace radiata::store {
+
+class GlyphDataset;
+
+struct CatalogEntry {
+    std::string id;
+    std::filesystem::path path;
+};
+
+/// Thread-safe. The device must outlive it.
+class Store {
+public:
+    Store(gpu::Device& device, io::ShOptions options);
+    ~Store();
+
+    /// Adds every readable image of a folder, or one file. Ids come from file names ("xa_fod8.nii.gz" -> "xa_fod8").
+    /// \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
+    std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file);
+    /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
+    void add(const std::string& id, model::ShImage image);
+
+    std::vector<model::DatasetInfo> list();
+    /// \throws Error(kNotFound) naming the id; Error of the reader
+    model::DatasetInfo info(const std::string& id);
+    /// The dataset, loaded if it was not. \throws as info()
+    std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace radiata::store
