@@ -1,0 +1,228 @@
+// Samples by tiles of 16 directions times two glyphs, which fill the vector registers; the reasoning stands in the header.
+#include "build/bounds.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "build/sphere_grid.h"
+
+namespace radiata {
+namespace {
+
+constexpr double kEnlargement = 1.045;
+constexpr std::size_t kTile = 16;
+constexpr std::size_t kBlock = 64;  // glyphs that share a tile while it is in the cache
+
+using Lanes = float __attribute__((vector_size(16)));
+constexpr std::size_t kLanes = 4;
+constexpr std::size_t kVectors = kTile / kLanes;
+
+Lanes maximum(Lanes a, Lanes b) { return a > b ? a : b; }
+Lanes minimum(Lanes a, Lanes b) { return a < b ? a : b; }
+float maximum(Lanes a) { return std::max({a[0], a[1], a[2], a[3]}); }
+Lanes load(const float* values) {
+    Lanes lanes;
+    __builtin_memcpy(&lanes, values, sizeof lanes);
+    return lanes;
+}
+
+/// What the samples of one glyph showed, lane by lane. Each starts at 0 but the maximum of f.
+struct Extremes {
+    Lanes f_max, f_min;
+    std::array<Lanes, 3> positive_up, positive_down;  // max of d_a f and of -d_a f where f > 0
+    std::array<Lanes, 3> negative_up, negative_down;  // max of d_a |f| and of -d_a |f| where f < 0
+
+    Extremes() {
+        const Lanes zero{};
+        f_max = zero - std::numeric_limits<float>::max();
+        f_min = zero;
+        positive_up = positive_down = negative_up = negative_down = {zero, zero, zero};
+    }
+
+    void add(Lanes f, const std::array<Lanes, 3>& direction) {
+        const Lanes zero{};
+        f_max = maximum(f_max, f);
+        f_min = minimum(f_min, f);
+        const Lanes positive = maximum(f, zero);
+        const Lanes negative = zero - minimum(f, zero);
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const Lanes positive_extent = direction[axis] * positive;
+            const Lanes negative_extent = direction[axis] * negative;
+            positive_up[axis] = maximum(positive_up[axis], positive_extent);
+            positive_down[axis] = maximum(positive_down[axis], zero - positive_extent);
+            negative_up[axis] = maximum(negative_up[axis], negative_extent);
+            negative_down[axis] = maximum(negative_down[axis], zero - negative_extent);
+        }
+    }
+};
+
+/// Values of two glyphs on the tile's directions.
+void sampleTile(const float* tile, const float* first, const float* second, std::size_t count, Extremes& first_extremes,
+                Extremes& second_extremes) {
+    std::array<Lanes, kVectors> f{}, g{};
+    const float* basis = tile + 3 * kTile;
+    for (std::size_t j = 0; j < count; ++j, basis += kTile) {
+        const Lanes a = Lanes{} + first[j];
+        const Lanes b = Lanes{} + second[j];
+#pragma GCC unroll 4
+        for (std::size_t v = 0; v < kVectors; ++v) {
+            const Lanes y = load(basis + v * kLanes);
+            f[v] += a * y;
+            g[v] += b * y;
+        }
+    }
+    for (std::size_t v = 0; v < kVectors; ++v) {
+        const std::array<Lanes, 3> direction{load(tile + v * kLanes), load(tile + kTile + v * kLanes),
+                                             load(tile + 2 * kTile + v * kLanes)};
+        first_extremes.add(f[v], direction);
+        second_extremes.add(g[v], direction);
+    }
+}
+
+/// The next float above, or the largest there is.
+float roundUp(double value) {
+    constexpr float kMax = std::numeric_limits<float>::max();
+    return value >= kMax ? kMax : std::nextafter(static_cast<float>(value), kMax);
+}
+
+/// Turns samples into bounds.
+struct Certifier {
+    ShLayout layout;
+    double tau;
+
+    /// Bound (1) of the header.
+    double global(double sample, int degree) const { return sample / std::cos(degree * tau); }
+    /// Bound (2) of the header.
+    double local(double sample, double all, int degree) const {
+        return std::min(all, sample + degree * degree * all * tau * tau / 2);
+    }
+
+    /// \param norm   Euclidean norm of the coefficients that were sampled
+    /// \param scale  of the glyph's own coefficients over those
+    GlyphBounds certify(const Extremes& extremes, bool negative_lobes, double norm, double scale) const {
+        // A sum of `count` products in float errs by at most count eps sum |c y|; sum c^2 = norm^2 and sum y^2 = count / 4 pi.
+        const double count = static_cast<double>(layout.count());
+        const double slack = (count + 8) * 0x1p-24 * norm * std::sqrt(count / (4 * std::numbers::pi));
+        const double f_max = maximum(extremes.f_max);
+        const double f_abs = std::max<double>(f_max, maximum(-extremes.f_min));
+        GlyphBounds bounds;
+        bounds.amplitude_max = static_cast<float>(std::min<double>(f_abs * scale, std::numeric_limits<float>::max()));
+        double radius = global(f_abs + slack, layout.lmax);
+        if (!negative_lobes) radius = local(f_max + slack, radius, layout.lmax);
+        if (norm == 0 || radius <= 0) return bounds;
+        for (int axis = 0; axis < 3; ++axis) {
+            const double up = maximum(extremes.positive_up[axis]), down = maximum(extremes.positive_down[axis]);
+            const double negative_up = maximum(extremes.negative_up[axis]);
+            const double negative_down = maximum(extremes.negative_down[axis]);
+            const double all = global(std::max({up, down, negative_up, negative_down}) + slack, layout.lmax + 1);
+            double above = negative_lobes ? std::max(up, negative_up) : up;
+            double below = negative_lobes ? std::max(down, negative_down) : down;
+            if (!layout.full) above = below = std::max(above, below);
+            bounds.max[axis] = roundUp(scale * std::min(radius, local(above + slack, all, layout.lmax + 1)));
+            bounds.min[axis] = -roundUp(scale * std::min(radius, local(below + slack, all, layout.lmax + 1)));
+        }
+        bounds.radius = roundUp(scale * radius);
+        return bounds;
+    }
+};
+
+/// The internal basis at a unit direction, by upward recurrence of the normalised Legendre functions.
+void evaluateBasis(ShLayout layout, const glm::dvec3& d, std::span<double> out) {
+    const double root_two = std::numbers::sqrt2;
+    double diagonal = std::sqrt(0.25 / std::numbers::pi);
+    double re = 1, im = 0;  // (x + i y)^m
+    for (int m = 0; m <= layout.lmax; ++m) {
+        double previous = 0, current = diagonal;
+        for (int l = m; l <= layout.lmax; ++l) {
+            if (l > m) {
+                const double a = std::sqrt((4.0 * l * l - 1) / (double(l) * l - double(m) * m));
+                const double b = std::sqrt((double(l - 1) * (l - 1) - double(m) * m) / (4.0 * (l - 1) * (l - 1) - 1));
+                const double next = a * (d.z * current - (l > m + 1 ? b * previous : 0.0));
+                previous = current;
+                current = next;
+            }
+            if (l % layout.step() != 0) continue;
+            if (m == 0) {
+                out[layout.index(l, 0)] = current;
+            } else {
+                out[layout.index(l, -m)] = root_two * current * re;
+                out[layout.index(l, m)] = root_two * current * im * (m % 2 != 0 ? -1 : 1);
+            }
+        }
+        diagonal *= std::sqrt((2.0 * m + 3) / (2.0 * m + 2));
+        const double next_re = re * d.x - im * d.y;
+        im = re * d.y + im * d.x;
+        re = next_re;
+    }
+}
+
+}  // namespace
+
+BoundsEvaluator::BoundsEvaluator(ShLayout layout) : layout_(layout) {
+    SphereGrid grid = sphereGrid(std::acos(1 / kEnlargement) / (layout.lmax + 1), !layout.full);
+    directions_ = std::move(grid.directions);
+    covering_radius_ = grid.covering_radius;
+    const std::size_t count = layout.count();
+    const std::size_t tile_count = (directions_.size() + kTile - 1) / kTile;
+    tiles_.resize(tile_count * (count + 3) * kTile);
+    std::vector<double> basis(count);
+    for (std::size_t i = 0; i < tile_count * kTile; ++i) {
+        const glm::dvec3& d = directions_[std::min(i, directions_.size() - 1)];
+        float* tile = tiles_.data() + i / kTile * (count + 3) * kTile + i % kTile;
+        evaluateBasis(layout, d, basis);
+        for (int axis = 0; axis < 3; ++axis) tile[axis * kTile] = static_cast<float>(d[axis]);
+        for (std::size_t j = 0; j < count; ++j) tile[(j + 3) * kTile] = static_cast<float>(basis[j]);
+    }
+}
+
+void BoundsEvaluator::evaluate(std::span<const float> coefficients, bool negative_lobes, std::span<GlyphBounds> out) const {
+    const std::size_t count = layout_.count();
+    if (coefficients.size() != out.size() * count) {
+        throw Error(Code::kInternal, "glyph bounds: " + std::to_string(coefficients.size()) + " coefficients for " +
+                                         std::to_string(out.size()) + " glyphs of " + std::to_string(count));
+    }
+    parallelFor(out.size(), kBlock, [&](std::size_t begin, std::size_t end) {
+        evaluateBlock(coefficients.subspan(begin * count, (end - begin) * count), negative_lobes,
+                      out.subspan(begin, end - begin));
+    });
+}
+
+void BoundsEvaluator::evaluateBlock(std::span<const float> coefficients, bool negative_lobes,
+                                    std::span<GlyphBounds> out) const {
+    const std::size_t count = layout_.count();
+    const std::size_t padded = (out.size() + 1) / 2 * 2;
+    std::vector<float> scaled(padded * count, 0.0F);
+    std::vector<double> scales(out.size(), 0.0), norms(out.size(), 0.0);
+    for (std::size_t g = 0; g < out.size(); ++g) {
+        const auto source = coefficients.subspan(g * count, count);
+        for (float c : source) {
+            if (!std::isfinite(c)) throw Error(Code::kInvalidArgument, "glyph bounds: a coefficient is not finite");
+            scales[g] = std::max(scales[g], std::abs(static_cast<double>(c)));
+        }
+        for (std::size_t j = 0; j < count && scales[g] > 0; ++j) {
+            const double value = source[j] / scales[g];  // in double, as 1 / scale of a tiny glyph overflows float
+            scaled[g * count + j] = static_cast<float>(value);
+            norms[g] += value * value;
+        }
+    }
+    std::vector<Extremes> extremes(padded);
+    const std::size_t tile_size = (count + 3) * kTile;
+    for (const float* tile = tiles_.data(); tile != tiles_.data() + tiles_.size(); tile += tile_size) {
+        for (std::size_t g = 0; g < padded; g += 2) {
+            const float* first = scaled.data() + g * count;
+            sampleTile(tile, first, first + count, count, extremes[g], extremes[g + 1]);
+        }
+    }
+    const Certifier certifier{layout_, covering_radius_};
+    for (std::size_t g = 0; g < out.size(); ++g) {
+        out[g] = certifier.certify(extremes[g], negative_lobes, std::sqrt(norms[g]), scales[g]);
+    }
+}
+
+}  // namespace radiata
