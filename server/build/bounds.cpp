@@ -15,7 +15,7 @@
 namespace radiata {
 namespace {
 
-constexpr double kEnlargement = 1.045;
+constexpr double kEnlargement = 1.02;
 constexpr std::size_t kTile = 16;
 constexpr std::size_t kBlock = 64;  // glyphs that share a tile while it is in the cache
 

@@ -37,12 +37,12 @@ struct GlyphBounds {
 /// Bounds of many glyphs of one layout. Immutable after construction; evaluate() may run on several threads at once.
 class BoundsEvaluator {
 public:
-    /// Chooses the directions so that 1 / cos((lmax + 1) tau) <= 1.045 and tabulates the basis on them.
+    /// Chooses the directions so that 1 / cos((lmax + 1) tau) <= 1.02 and tabulates the basis on them.
     explicit BoundsEvaluator(ShLayout layout);
 
     /// \param coefficients    n * layout.count() values, internal convention, glyph by glyph; any finite values
     /// \param negative_lobes  the surface is |f(d)| d; else only where f > 0
-    /// \param out             n bounds, never smaller than the glyph. Radius and extents are too large by at most 5 % of max
+    /// \param out             n bounds, never smaller than the glyph. Radius and extents are too large by at most 2.1 % of max
     /// |f|
     ///                        and max |d_a f| over all directions, hidden lobes too. Values beyond float saturate.
     /// \throws Error(kInvalidArgument) for a coefficient that is not finite, Error(kInternal) for spans that do not match
