@@ -19,7 +19,7 @@ struct Aabb {
 /// Built once; needs Feature::kRayQuery. In GLSL: accelerationStructureEXT(address).
 class BoxAcceleration {
 public:
-    BoxAcceleration() = default;
+    BoxAcceleration();
     /// \throws Error(kUnsupported) without ray queries, Error(kResourceExhausted) for memory
     BoxAcceleration(Device& device, std::span<const Aabb> boxes);
     ~BoxAcceleration();

@@ -20,7 +20,7 @@ enum class Memory {
 /// Move-only owner of one buffer. The device must outlive it; work that uses it must be done before it dies.
 class Buffer {
 public:
-    Buffer() = default;
+    Buffer();
     /// \param size_bytes  at least 1; \param name  for validation messages and memory reports
     /// \throws Error(kResourceExhausted) saying name, size and what the device has
     Buffer(Device& device, std::uint64_t size_bytes, Memory memory, const std::string& name);

@@ -13,10 +13,10 @@ namespace radiata::gpu {
 enum class Feature { kRayQuery, kInt64Atomics, kMeshShader, kSubgroupBallot, kMemoryBudget };
 
 struct DeviceOptions {
-    std::string device;                    ///< number in list(), or a part of the name; empty: the most capable one
-    bool validation = false;               ///< validation layers with synchronisation validation
-    std::filesystem::path pipeline_cache;  ///< file; empty: none is kept
-    std::vector<std::string> without;      ///< features to leave off by name, e.g. "ray_query"
+    std::string device{};                    ///< number in list(), or a part of the name; empty: the most capable one
+    bool validation = false;                 ///< validation layers with synchronisation validation
+    std::filesystem::path pipeline_cache{};  ///< file; empty: none is kept
+    std::vector<std::string> without{};      ///< features to leave off by name, e.g. "ray_query"
 };
 
 struct DeviceInfo {

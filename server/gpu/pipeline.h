@@ -23,7 +23,7 @@ constexpr std::uint32_t kPushConstantBytes = 128;
 
 class ComputePipeline {
 public:
-    ComputePipeline() = default;
+    ComputePipeline();
     /// \param constants  specialisation constants; constants[i] has constant_id i
     /// \throws Error(kUnsupported or kInternal) naming the shader
     ComputePipeline(Device& device, const Shader& shader, std::span<const std::uint32_t> constants);

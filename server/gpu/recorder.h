@@ -41,6 +41,8 @@ public:
 
     /// Submits what was recorded and waits for it. \throws Error(kUnavailable) if the device is lost
     void submitAndWait();
+    /// Forgets what was recorded and not submitted; for a frame that failed half way, whose buffers may be gone.
+    void discard();
     /// Times of all passes since the last call, in order of first use; the names' times are summed.
     std::vector<PassTiming> takeTimings();
 
