@@ -1,0 +1,126 @@
+#include "io/sh_image.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "io/stored_image.h"
+#include "math/polar.h"
+#include "math/sh_rotation.h"
+
+namespace radiata::io {
+namespace {
+
+std::string countsText(bool full) {
+    std::string text;
+    for (int lmax = 0; lmax <= kLmaxLimit; lmax += full ? 1 : 2) {
+        text += (lmax == 0 ? "" : lmax == kLmaxLimit ? " or " : ", ") + std::to_string(ShLayout{lmax, full}.count());
+    }
+    return text;
+}
+
+ShLayout layoutOf(const StoredImage& image, const ShOptions& options, const std::string& file) {
+    const auto layout = shLayoutOfCount(static_cast<std::size_t>(image.size[3]), options.full);
+    if (layout) return *layout;
+    std::string right;
+    if (!options.full.value_or(false)) right += "even bands have " + countsText(false);
+    if (options.full.value_or(true)) right += (right.empty() ? "" : "; ") + ("full bands have " + countsText(true));
+    throw Error(Code::kCorrupt, file + ": the image has " + std::to_string(image.size[3]) + " volumes; " + right);
+}
+
+enum class VoxelKind : std::uint8_t { kEmpty, kGlyph, kRejected };
+
+/// What each voxel is. `data`: volume by volume, voxels.size() samples each.
+std::vector<VoxelKind> classify(const std::vector<float>& data, std::size_t voxel_count) {
+    std::vector<VoxelKind> kinds(voxel_count, VoxelKind::kEmpty);
+    parallelFor(voxel_count, 16384, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t first = 0; first < data.size(); first += voxel_count) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const float value = data[first + i];
+                if (!std::isfinite(value)) {
+                    kinds[i] = VoxelKind::kRejected;
+                } else if (value != 0 && kinds[i] == VoxelKind::kEmpty) {
+                    kinds[i] = VoxelKind::kGlyph;
+                }
+            }
+        }
+    });
+    return kinds;
+}
+
+/// Takes the coefficients of each glyph together, converts and turns them. `glyphs`: indices of voxels.
+std::vector<float> gather(const std::vector<float>& data, std::size_t voxel_count, const std::vector<std::size_t>& glyphs,
+                          ShLayout layout, ShConvention convention, const std::optional<ShRotation>& rotation) {
+    const std::size_t count = layout.count();
+    std::vector<float> coefficients(glyphs.size() * count);
+    parallelFor(glyphs.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t c = 0; c < count; ++c) {
+            const float* volume = data.data() + c * voxel_count;
+            for (std::size_t g = begin; g < end; ++g) coefficients[g * count + c] = volume[glyphs[g]];
+        }
+        std::vector<double> exact(count);
+        for (std::size_t g = begin; g < end; ++g) {
+            const auto one = std::span(coefficients).subspan(g * count, count);
+            std::ranges::copy(one, exact.begin());
+            convertSh(std::span<double>(exact), layout, convention, ShConvention::kDescoteaux07);
+            if (rotation) rotation->apply(exact);
+            std::ranges::transform(exact, one.begin(), [](double value) { return static_cast<float>(value); });
+        }
+    });
+    return coefficients;
+}
+
+}  // namespace
+
+model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& options) {
+    const std::string file = path.filename().string();
+    const StoredImage stored = readStoredImage(path);
+    model::ShImage image;
+    image.layout = layoutOf(stored, options, file);
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::int64_t length = stored.size[static_cast<std::size_t>(axis)];
+        if (length > std::numeric_limits<int>::max()) {
+            throw Error(Code::kResourceExhausted, file + ": axis " + std::to_string(axis + 1) + " has " +
+                                                      std::to_string(length) + " voxels; at most 2147483647 are read");
+        }
+        image.size[axis] = static_cast<int>(length);
+    }
+    image.voxel_to_world = stored.voxel_to_world;
+    image.file_convention = options.convention.value_or(ShConvention::kTournier07);
+    image.file_axes = options.axes.value_or(ShAxes::kWorld);
+    image.source = file;
+
+    const std::vector<float> data = readSamples(stored);
+    const std::size_t voxel_count = data.size() / image.layout.count();
+    const std::vector<VoxelKind> kinds = classify(data, voxel_count);
+    std::vector<std::size_t> glyphs;
+    for (std::size_t i = 0; i < voxel_count; ++i) {
+        if (kinds[i] == VoxelKind::kRejected) ++image.rejected_voxels;
+        if (kinds[i] != VoxelKind::kGlyph) continue;
+        glyphs.push_back(i);
+        const auto row = static_cast<std::size_t>(image.size.x);
+        const std::size_t slice = row * static_cast<std::size_t>(image.size.y);
+        image.voxels.emplace_back(static_cast<int>(i % row), static_cast<int>(i % slice / row), static_cast<int>(i / slice));
+    }
+    std::optional<ShRotation> rotation;
+    if (image.file_axes == ShAxes::kVoxel) {
+        rotation.emplace(image.layout, orthogonalPolarFactor(glm::dmat3(image.voxel_to_world)));
+    }
+    image.coefficients = gather(data, voxel_count, glyphs, image.layout, image.file_convention, rotation);
+    return image;
+}
+
+std::string describe(const model::ShImage& image) {
+    return image.source + ": " + std::to_string(image.voxels.size()) + " glyphs in " + std::to_string(image.size.x) + " x " +
+           std::to_string(image.size.y) + " x " + std::to_string(image.size.z) + " voxels, " +
+           (image.layout.full ? "full" : "even") + " bands to " + std::to_string(image.layout.lmax) + " (" +
+           std::to_string(image.layout.count()) + " volumes), read as " + std::string(name(image.file_convention)) +
+           " with directions in " + std::string(name(image.file_axes)) + " axes; " + std::to_string(image.rejected_voxels) +
+           " voxels left out for NaN or infinity";
+}
+
+}  // namespace radiata::io
