@@ -1,0 +1,128 @@
+// The controls of the page: plain selects and inputs of index.html, and the settings that they show and change.
+import { type Dataset } from "./generated/radiata/v1/catalog_pb";
+import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
+import { type Region, type Settings, adapt } from "./scene/settings";
+import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
+
+const kPlanes: Record<string, AnatomicalPlane> = { axial: Plane.AXIAL, coronal: Plane.CORONAL, sagittal: Plane.SAGITTAL };
+const kScales: Record<string, ScaleMode> = { global: ScaleMode.GLOBAL, glyph: ScaleMode.PER_GLYPH };
+const kConventions: Record<string, Convention> = {
+  radiological: Convention.RADIOLOGICAL,
+  neurological: Convention.NEUROLOGICAL,
+};
+
+const nameOf = <T>(names: Record<string, T>, value: T): string =>
+  Object.keys(names).find((name) => names[name] === value) ?? "";
+
+function element<T extends HTMLElement>(id: string, type: new () => T): T {
+  const found = document.getElementById(id);
+  if (!(found instanceof type)) throw new Error(`The page has no ${type.name} named ${id}.`);
+  return found;
+}
+
+function options(select: HTMLSelectElement, entries: readonly (readonly [value: string, text: string])[], value: string): void {
+  select.replaceChildren(
+    ...entries.map(([entry, text]) => {
+      const option = document.createElement("option");
+      option.value = entry;
+      option.textContent = text;
+      return option;
+    }),
+  );
+  select.value = value;
+}
+
+export class Controls {
+  private readonly dataset = element("dataset", HTMLSelectElement);
+  private readonly region = element("region", HTMLSelectElement);
+  private readonly plane = element("plane", HTMLSelectElement);
+  private readonly position = element("position", HTMLInputElement);
+  private readonly positionText = element("position-text", HTMLOutputElement);
+  private readonly thickness = element("thickness", HTMLInputElement);
+  private readonly scale = element("scale", HTMLSelectElement);
+  private readonly factor = element("factor", HTMLInputElement);
+  private readonly lmax = element("lmax", HTMLSelectElement);
+  private readonly negative = element("negative", HTMLInputElement);
+  private readonly convention = element("convention", HTMLSelectElement);
+  private datasets: readonly Dataset[] = [];
+  private settings: Settings | null = null;
+
+  /** \param changed  called with the settings that a person chose */
+  constructor(private readonly changed: (settings: Settings) => void) {
+    const on = (control: HTMLElement, apply: (settings: Settings) => Settings, event = "change"): void =>
+      control.addEventListener(event, () => {
+        if (this.settings) this.choose(apply(this.settings));
+      });
+    on(this.dataset, (s) => {
+      const dataset = this.datasets.find((candidate) => candidate.id === this.dataset.value);
+      return dataset ? adapt(s, dataset) : s;
+    });
+    on(this.region, (s) => ({ ...s, region: this.region.value as Region }));
+    on(this.plane, (s) => {
+      const dataset = this.current(s);
+      const plane = kPlanes[this.plane.value] ?? Plane.AXIAL;
+      return dataset ? adapt({ ...s, plane }, dataset) : s;
+    });
+    on(this.position, (s) => ({ ...s, slice: this.position.valueAsNumber }), "input");
+    on(this.thickness, (s) => ({ ...s, thicknessMm: positive(this.thickness, s.thicknessMm) }));
+    on(this.scale, (s) => ({ ...s, scaleMode: kScales[this.scale.value] ?? s.scaleMode }));
+    on(this.factor, (s) => ({ ...s, scaleFactor: positive(this.factor, s.scaleFactor) }));
+    on(this.lmax, (s) => ({ ...s, lmax: this.lmax.value === "" ? null : Number(this.lmax.value) }));
+    on(this.negative, (s) => ({ ...s, negativeLobes: this.negative.checked }));
+    on(this.convention, (s) => ({ ...s, convention: kConventions[this.convention.value] ?? s.convention }));
+  }
+
+  /** Moves the slice by so many voxels, within its range. */
+  step(by: number): void {
+    const settings = this.settings;
+    const dataset = settings && this.current(settings);
+    if (!settings || !dataset || settings.region === "volume") return;
+    const range = sliceRange(dataset, settings.plane);
+    const slice = Math.min(Math.max(settings.slice + by, range.first), range.last);
+    if (slice !== settings.slice) this.choose({ ...settings, slice });
+  }
+
+  show(datasets: readonly Dataset[], settings: Settings): void {
+    this.datasets = datasets;
+    this.settings = settings;
+    const dataset = this.current(settings);
+    if (!dataset) return;
+    options(this.dataset, datasets.map(({ id }) => [id, id] as const), settings.datasetId);
+    this.region.value = settings.region;
+    this.plane.value = nameOf(kPlanes, settings.plane);
+    const range = sliceRange(dataset, settings.plane);
+    this.position.min = String(range.first);
+    this.position.max = String(range.last);
+    this.position.value = String(settings.slice);
+    const mm = `${sliceMm(dataset, range, settings.slice).toFixed(1)} mm`;
+    this.positionText.value = mm;
+    this.position.setAttribute("aria-valuetext", mm);
+    this.thickness.value = String(settings.thicknessMm);
+    this.scale.value = nameOf(kScales, settings.scaleMode);
+    this.factor.value = String(settings.scaleFactor);
+    const step = dataset.fullBasis ? 1 : 2;
+    const bands = Array.from({ length: Math.floor(dataset.lmax / step) + 1 }, (_, index) => String(index * step));
+    options(
+      this.lmax,
+      [["", `all (${dataset.lmax})`] as const, ...bands.map((band) => [band, band] as const)],
+      settings.lmax === null ? "" : String(settings.lmax),
+    );
+    this.negative.checked = settings.negativeLobes;
+    this.convention.value = nameOf(kConventions, settings.convention);
+    document.body.dataset.region = settings.region;
+  }
+
+  private choose(settings: Settings): void {
+    this.show(this.datasets, settings);
+    this.changed(settings);
+  }
+
+  private current(settings: Settings): Dataset | undefined {
+    return this.datasets.find(({ id }) => id === settings.datasetId);
+  }
+}
+
+/** The number in the field if it is above zero; otherwise the former one, which `show` writes back. */
+function positive(input: HTMLInputElement, former: number): number {
+  return input.valueAsNumber > 0 && Number.isFinite(input.valueAsNumber) ? input.valueAsNumber : former;
+}

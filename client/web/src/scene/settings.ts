@@ -1,0 +1,87 @@
+// What the controls of the page choose, and the scene that follows from it.
+import { type MessageInitShape } from "@bufbuild/protobuf";
+import { type Dataset } from "../generated/radiata/v1/catalog_pb";
+import {
+  Annotations_Convention as Convention,
+  GlyphScale_Mode as ScaleMode,
+  NegativeLobes,
+  Plane,
+  type SceneSchema,
+  type VoxelSelectionSchema,
+} from "../generated/radiata/v1/scene_pb";
+import { type AnatomicalPlane, middleSlice, slicePosition, sliceRange } from "./slices";
+
+export type Region = "slice" | "slab" | "volume";
+
+export interface Settings {
+  readonly datasetId: string;
+  readonly region: Region;
+  readonly plane: AnatomicalPlane;
+  /** Voxel index along the axis that the plane follows. */
+  readonly slice: number;
+  readonly thicknessMm: number;
+  readonly scaleMode: ScaleMode;
+  readonly scaleFactor: number;
+  /** Highest band drawn; null: all. */
+  readonly lmax: number | null;
+  readonly negativeLobes: boolean;
+  readonly convention: Convention;
+}
+
+export function defaultSettings(dataset: Dataset): Settings {
+  return {
+    datasetId: dataset.id,
+    region: "slice",
+    plane: Plane.AXIAL,
+    slice: middleSlice(sliceRange(dataset, Plane.AXIAL)),
+    thicknessMm: 5,
+    scaleMode: ScaleMode.GLOBAL,
+    scaleFactor: 1,
+    lmax: null,
+    negativeLobes: false,
+    convention: Convention.RADIOLOGICAL,
+  };
+}
+
+/** The same choices for another dataset or plane: the slice goes back to the middle, a band limit that it lacks is lifted. */
+export function adapt(settings: Settings, dataset: Dataset): Settings {
+  return {
+    ...settings,
+    datasetId: dataset.id,
+    slice: middleSlice(sliceRange(dataset, settings.plane)),
+    lmax: settings.lmax !== null && settings.lmax > dataset.lmax ? null : settings.lmax,
+  };
+}
+
+/** Whether the camera that fits one does not fit the other. */
+export const needsNewCamera = (a: Settings, b: Settings): boolean =>
+  a.datasetId !== b.datasetId || a.region !== b.region || a.plane !== b.plane || a.convention !== b.convention;
+
+export function selection(settings: Settings, dataset: Dataset): MessageInitShape<typeof VoxelSelectionSchema> {
+  if (settings.region === "volume") return { region: { case: "volume", value: {} } };
+  const [x, y, z] = slicePosition(dataset, sliceRange(dataset, settings.plane), settings.slice);
+  const slice = { plane: settings.plane, positionMm: { x, y, z } };
+  return settings.region === "slab"
+    ? { region: { case: "slab", value: { middle: slice, thicknessMm: settings.thicknessMm } } }
+    : { region: { case: "slice", value: slice } };
+}
+
+export function scene(settings: Settings, dataset: Dataset): MessageInitShape<typeof SceneSchema> {
+  return {
+    layers: [
+      {
+        content: {
+          case: "glyphs",
+          value: {
+            datasetId: settings.datasetId,
+            selection: selection(settings, dataset),
+            scale: { mode: settings.scaleMode, factor: settings.scaleFactor },
+            ...(settings.lmax !== null && { lmax: settings.lmax }),
+            negativeLobes: settings.negativeLobes ? NegativeLobes.SHOWN : NegativeLobes.HIDDEN,
+          },
+        },
+      },
+    ],
+    annotations: { convention: settings.convention },
+  };
+}

@@ -1,0 +1,84 @@
+// Slices of straight, flipped and oblique datasets, and the scenes that the controls ask for.
+import { create } from "@bufbuild/protobuf";
+import { describe, expect, it } from "vitest";
+import { type Dataset, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
+import { NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
+import { adapt, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
+import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
+
+function dataset(rows: number[], size: number[], bounds?: [number[], number[]]): Dataset {
+  const vec = (v: number[]) => ({ x: v[0] ?? 0, y: v[1] ?? 0, z: v[2] ?? 0 });
+  return create(DatasetSchema, {
+    id: "brain", size, lmax: 8, voxelToWorld: { rows },
+    ...(bounds && { boundsWorld: { minimum: vec(bounds[0]), maximum: vec(bounds[1]) } }),
+  });
+}
+
+// 2 mm voxels, x flipped (left-handed storage), as most scanners write them.
+const flipped = dataset([-2, 0, 0, 90, 0, 2, 0, -126, 0, 0, 2, -72], [91, 109, 91]);
+// Sagittal acquisition: k runs left to right, i front to back, j upwards.
+const sagittal = dataset([0, 0, 1.5, -60, -1, 0, 0, 100, 0, 1, 0, -80], [200, 180, 80]);
+
+describe("slices", () => {
+  it("finds the voxel axis of each plane", () => {
+    expect(nearestAxes(flipped)).toEqual([0, 1, 2]);
+    expect(nearestAxes(sagittal)).toEqual([2, 0, 1]);
+    const c = Math.cos(0.6);
+    const s = Math.sin(0.6);
+    expect(nearestAxes(dataset([c, -s, 0, 0, s, c, 0, 0, 0, 0, 1, 0], [10, 10, 10]))).toEqual([0, 1, 2]);
+  });
+
+  it("gives the world position of a slice", () => {
+    const range = sliceRange(flipped, Plane.SAGITTAL);
+    expect(range).toMatchObject({ axis: 0, world: 0, first: 0, last: 90 });
+    expect(slicePosition(flipped, range, 0)).toEqual([90, -18, 18]);
+    expect(sliceMm(flipped, range, 90)).toBe(-90);
+    expect(sliceMm(sagittal, sliceRange(sagittal, Plane.SAGITTAL), 10)).toBe(-45);
+  });
+
+  it("offers only slices that can hold glyphs", () => {
+    const inside = dataset([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0], [50, 50, 50], [[0, 0, 19], [100, 100, 41]]);
+    const range = sliceRange(inside, Plane.AXIAL);
+    expect([range.first, range.last]).toEqual([10, 20]);
+    expect(middleSlice(range)).toBe(15);
+  });
+
+  it("offers all slices of a dataset without usable bounds", () => {
+    const empty = dataset([2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0], [5, 6, 7], [[500, 500, 500], [500, 500, 500]]);
+    expect(sliceRange(empty, Plane.CORONAL)).toMatchObject({ first: 0, last: 5 });
+  });
+});
+
+describe("settings", () => {
+  it("ask for the middle axial slice first", () => {
+    const settings = defaultSettings(flipped);
+    expect(selection(settings, flipped)).toEqual({
+      region: { case: "slice", value: { plane: Plane.AXIAL, positionMm: { x: 0, y: -18, z: 18 } } },
+    });
+  });
+
+  it("carry the choices into the scene", () => {
+    const settings = { ...defaultSettings(flipped), region: "volume" as const, lmax: 0, negativeLobes: true };
+    const layer = scene(settings, flipped).layers?.[0]?.content;
+    expect(layer?.case).toBe("glyphs");
+    expect(layer?.value).toMatchObject({
+      datasetId: "brain", lmax: 0, negativeLobes: NegativeLobes.SHOWN, selection: { region: { case: "volume" } },
+    });
+  });
+
+  it("leave out the band limit when all bands are wanted", () => {
+    expect(scene(defaultSettings(flipped), flipped).layers?.[0]?.content?.value).not.toHaveProperty("lmax");
+  });
+
+  it("adapt to a dataset with fewer bands", () => {
+    const small = create(DatasetSchema, { ...sagittal, id: "small", lmax: 4 });
+    expect(adapt({ ...defaultSettings(flipped), lmax: 8 }, small)).toMatchObject({ datasetId: "small", lmax: null });
+    expect(adapt({ ...defaultSettings(flipped), lmax: 2 }, small)).toMatchObject({ lmax: 2 });
+  });
+
+  it("keep the camera while only the slice or the look changes", () => {
+    const settings = defaultSettings(flipped);
+    expect(needsNewCamera(settings, { ...settings, slice: 3, negativeLobes: true, scaleFactor: 2 })).toBe(false);
+    expect(needsNewCamera(settings, { ...settings, plane: Plane.CORONAL })).toBe(true);
+  });
+});
