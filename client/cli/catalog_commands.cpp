@@ -1,0 +1,142 @@
+// radiata list, info and limits: tables for people, --json for machines.
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "radiata/v1/catalog.grpc.pb.h"
+#include "radiata/v1/limits.grpc.pb.h"
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "common/enum_words.h"
+#include "common/message_json.h"
+#include "common/table.h"
+
+namespace radiata::client {
+namespace {
+
+struct Options {
+    bool json = false;
+    std::string dataset;
+};
+
+void print(const std::string& text) { writeFile("-", text); }
+
+void print(const google::protobuf::Message& message) { print(messageToJson(message).dump(2) + "\n"); }
+
+std::string sizeText(const v1::Dataset& dataset) {
+    std::string text;
+    for (const std::uint32_t extent : dataset.size()) text += (text.empty() ? "" : "x") + std::to_string(extent);
+    return text;
+}
+
+std::string pointText(const v1::Vec3& p) {
+    return formatNumber(p.x(), 2) + ", " + formatNumber(p.y(), 2) + ", " + formatNumber(p.z(), 2);
+}
+
+std::string residence(const v1::Dataset& dataset) {
+    return dataset.gpu_bytes() == 0 ? "not resident" : formatBytes(static_cast<double>(dataset.gpu_bytes()));
+}
+
+v1::ListDatasetsResponse datasets(const Connection& connection) {
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::ListDatasetsResponse response;
+    connection.check(v1::CatalogService::NewStub(connection.channel())->ListDatasets(&context, {}, &response));
+    return response;
+}
+
+v1::Dataset dataset(const Connection& connection, const std::string& id) {
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::GetDatasetRequest request;
+    request.set_id(id);
+    v1::GetDatasetResponse response;
+    connection.check(v1::CatalogService::NewStub(connection.channel())->GetDataset(&context, request, &response));
+    return response.dataset();
+}
+
+void list(const Connection& connection, const Options& options) {
+    const v1::ListDatasetsResponse response = datasets(connection);
+    if (options.json) return print(response);
+    std::vector<Row> rows;
+    for (const v1::Dataset& entry : response.datasets()) {
+        rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())), sizeText(entry),
+                        std::to_string(entry.lmax()), std::to_string(entry.glyph_count()), residence(entry)});
+    }
+    print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "GPU memory"}, rows));
+}
+
+std::string describe(const v1::Dataset& entry) {
+    std::vector<Row> rows = {
+        {"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
+        {"voxels", sizeText(entry)},
+        {"bands", "to " + std::to_string(entry.lmax()) + (entry.full_basis() ? ", odd ones too" : ", even ones")},
+        {"convention", entry.convention() + ", " + entry.axes() + " axes"},
+        {"glyphs", std::to_string(entry.glyph_count())},
+        {"rejected voxels", std::to_string(entry.rejected_voxels())},
+        {"largest amplitude", std::to_string(entry.amplitude_max())},
+        {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
+        {"bounds maximum mm", pointText(entry.bounds_world().maximum())},
+    };
+    for (int r = 0; r * 4 + 3 < entry.voxel_to_world().rows_size(); ++r) {
+        std::string row;
+        for (int c = 0; c < 4; ++c) row += (c == 0 ? "" : ", ") + formatNumber(entry.voxel_to_world().rows(r * 4 + c), 4);
+        rows.push_back({r == 0 ? "voxel to world" : "", row});
+    }
+    const std::string exact = entry.gpu_bytes() == 0 ? "" : " (" + std::to_string(entry.gpu_bytes()) + " bytes)";
+    rows.push_back({"GPU memory", residence(entry) + exact});
+    return formatTable({"dataset", entry.id()}, rows);
+}
+
+void info(const Connection& connection, const Options& options) {
+    if (!options.dataset.empty()) {
+        const v1::Dataset entry = dataset(connection, options.dataset);
+        return options.json ? print(entry) : print(describe(entry));
+    }
+    const v1::ListDatasetsResponse response = datasets(connection);
+    if (options.json) return print(response);
+    std::string text;
+    for (const v1::Dataset& entry : response.datasets()) text += (text.empty() ? "" : "\n") + describe(entry);
+    print(text);
+}
+
+void limits(const Connection& connection, const Options& options) {
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::GetLimitsResponse response;
+    connection.check(v1::LimitsService::NewStub(connection.channel())->GetLimits(&context, {}, &response));
+    if (options.json) return print(response);
+    std::string traversals;
+    for (const std::string& name : response.traversals()) traversals += (traversals.empty() ? "" : ", ") + name;
+    const std::vector<Row> rows = {
+        {"version", response.version()},
+        {"device", response.device()},
+        {"traversals", traversals},
+        {"picture", std::to_string(response.width_max()) + "x" + std::to_string(response.height_max()) + " pixels, " +
+                        std::to_string(response.pixels_max()) + " in all"},
+        {"samples per pixel", std::to_string(response.samples_max())},
+        {"layers", std::to_string(response.layers_max())},
+        {"open views", std::to_string(response.views_max())},
+        {"unacknowledged frames", std::to_string(response.window_max())},
+        {"request", formatBytes(static_cast<double>(response.message_bytes_max()))},
+    };
+    print(formatTable({"limit", "value"}, rows));
+}
+
+}  // namespace
+
+void addCatalogCommands(CLI::App& app, const ConnectionOptions& connection) {
+    const auto options = std::make_shared<Options>();
+    const auto add = [&](const std::string& name, const std::string& what, void (*run)(const Connection&, const Options&)) {
+        CLI::App* command = app.add_subcommand(name, what);
+        command->add_flag("--json", options->json, "Print JSON");
+        command->callback([options, &connection, run] { run(Connection(connection), *options); });
+        return command;
+    };
+    add("list", "List the datasets", list);
+    add("info", "Everything about one dataset, or about all", info)->add_option("dataset", options->dataset, "Catalogue id");
+    add("limits", "What the server accepts, and the device that draws", limits);
+}
+
+}  // namespace radiata::client

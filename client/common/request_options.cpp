@@ -1,0 +1,168 @@
+#include "common/request_options.h"
+
+#include <charconv>
+
+#include "common/camera_json.h"
+#include "common/client_error.h"
+#include "common/enum_words.h"
+
+namespace radiata::client {
+namespace {
+
+[[noreturn]] void refuse(const std::string& message) { throw ClientError(ExitCode::kUsage, message); }
+
+void setVector(v1::Vec3& vector, const std::vector<double>& values) {
+    vector.set_x(values[0]);
+    vector.set_y(values[1]);
+    vector.set_z(values[2]);
+}
+
+CLI::Option* addVector(CLI::App& app, const std::string& name, std::vector<double>& values, const std::string& what) {
+    return app.add_option(name, values, what)->delimiter(',')->expected(3)->type_name("X,Y,Z");
+}
+
+template <typename Enum>
+void addWords(CLI::App& app, const std::string& name, Enum& value, const google::protobuf::EnumDescriptor* type,
+              const std::string& what, const std::string& unspecified = "") {
+    const auto words = enumWords<Enum>(type, unspecified);
+    std::string list;
+    for (const auto& [word, number] : words) list += (list.empty() ? "" : "|") + word;
+    app.add_option_function<std::string>(
+           name,
+           [&value, words, name, list](const std::string& word) {
+               const auto found = words.find(word);
+               if (found == words.end()) throw CLI::ValidationError(name, "'" + word + "' is not one of " + list);
+               value = found->second;
+           },
+           what)
+        ->type_name(list);
+}
+
+void setSize(v1::FrameRequest& request, const std::string& text) {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    bool good = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+    if (good) {
+        const auto second = std::from_chars(first.ptr + 1, end, height);
+        good = second.ec == std::errc() && second.ptr == end;
+    }
+    if (!good) refuse("--size is '" + text + "'; it must be WIDTHxHEIGHT in pixels, such as 1280x720");
+    request.set_width(width);
+    request.set_height(height);
+}
+
+void setSelection(v1::VoxelSelection& selection, const RequestOptions& options) {
+    const bool oblique = options.plane == v1::PLANE_OBLIQUE;
+    if (oblique && options.normal.empty()) refuse("--plane oblique needs --normal X,Y,Z");
+    if (!oblique && !options.normal.empty()) refuse("--normal goes with --plane oblique only");
+    if (options.volume) {
+        if (options.slab_mm) refuse("--slab and --volume exclude each other");
+        if (oblique || !options.position_mm.empty())
+            refuse("--volume shows everything; --plane and --position say nothing then");
+        selection.mutable_volume();
+        return;
+    }
+    v1::Slice& slice = options.slab_mm ? *selection.mutable_slab()->mutable_middle() : *selection.mutable_slice();
+    if (options.slab_mm) selection.mutable_slab()->set_thickness_mm(*options.slab_mm);
+    slice.set_plane(options.plane);
+    if (!options.position_mm.empty()) setVector(*slice.mutable_position_mm(), options.position_mm);
+    if (oblique) setVector(*slice.mutable_normal(), options.normal);
+}
+
+void setQuality(v1::Quality& quality, const RequestOptions& options) {
+    if (options.samples) quality.set_samples(*options.samples);
+    quality.set_intersection(options.intersection);
+    quality.set_traversal(options.traversal);
+    quality.set_pole_table(options.pole_table);
+    if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
+}
+
+std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connection) {
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::ListDatasetsResponse response;
+    connection.check(stub.ListDatasets(&context, {}, &response));
+    if (response.datasets_size() == 1) return response.datasets(0).id();
+    std::string ids;
+    for (const v1::Dataset& dataset : response.datasets()) ids += (ids.empty() ? "" : ", ") + dataset.id();
+    refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
+}
+
+}  // namespace
+
+void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera) {
+    app.add_option("--dataset", options.dataset, "Catalogue id; may be left out if the server has one dataset only");
+    addWords(app, "--plane", options.plane, v1::Plane_descriptor(), "Plane of the shown slice (default axial)");
+    addVector(app, "--position", options.position_mm, "Point on the plane, world mm (default: the dataset's centre)");
+    addVector(app, "--normal", options.normal, "Normal of an oblique plane, world axes");
+    app.add_option("--slab", options.slab_mm, "Show all voxels within a slab of this thickness about the plane, mm");
+    app.add_flag("--volume", options.volume, "Show the whole masked volume instead of a slice");
+    addWords(app, "--scale", options.scale, v1::GlyphScale::Mode_descriptor(), "Glyph radii relative to what (default global)");
+    app.add_option("--factor", options.factor, "Factor on the radii (default 1)");
+    app.add_option("--lmax", options.lmax, "Highest band drawn (default: all)");
+    addWords(app, "--lobes", options.lobes, v1::NegativeLobes_descriptor(), "Negative lobes (default hidden)");
+    app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
+    app.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
+    addWords(app, "--convention", options.convention, v1::Annotations::Convention_descriptor(),
+             "How default cameras look at the head (default radiological)");
+    app.add_flag("--no-annotations", options.no_annotations, "Leave marks and texts out of the picture");
+    app.add_option("--samples", options.samples, "Samples per pixel (default 16)");
+    addWords(app, "--intersection", options.intersection, v1::IntersectionMethod_descriptor(), "Root finder (default march)");
+    addWords(app, "--traversal", options.traversal, v1::Traversal_descriptor(), "Way to the boxes (default auto)", "auto");
+    addWords(app, "--pole-table", options.pole_table, v1::PoleTable_descriptor(), "Pole-frame table (default auto)", "auto");
+    app.add_option("--jpeg-quality", options.jpeg_quality, "Quality of JPEG pictures, 1 to 100 (default 90)");
+    addVector(app, "--light", options.light_direction, "Direction towards the light: right, up, towards the viewer");
+    app.add_option("--irradiance", options.irradiance, "Irradiance of the light, linear (pi lights white to 1)");
+    app.add_option("--ambient", options.ambient, "Radiance of the constant ambient light, linear");
+    addVector(app, "--background", options.background, "Background, linear RGB 0 to 1")->type_name("R,G,B");
+    if (with_camera) {
+        app.add_option("--camera", options.camera, "Camera: a JSON file or JSON text (default: one that fits the selection)")
+            ->type_name("FILE|JSON");
+    }
+}
+
+v1::FrameRequest makeRequest(const RequestOptions& options) {
+    v1::FrameRequest request;
+    setSize(request, options.size);
+    v1::Scene& scene = *request.mutable_scene();
+    v1::Layer& layer = *scene.add_layers();
+    if (options.opacity) layer.set_opacity(*options.opacity);
+    v1::GlyphLayer& glyphs = *layer.mutable_glyphs();
+    glyphs.set_dataset_id(options.dataset);
+    setSelection(*glyphs.mutable_selection(), options);
+    glyphs.mutable_scale()->set_mode(options.scale);
+    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
+    if (options.lmax) glyphs.set_lmax(*options.lmax);
+    glyphs.set_negative_lobes(options.lobes);
+    if (!options.light_direction.empty())
+        setVector(*scene.mutable_light()->mutable_direction_camera(), options.light_direction);
+    if (options.irradiance) scene.mutable_light()->set_irradiance(*options.irradiance);
+    if (options.ambient) scene.mutable_light()->set_ambient(*options.ambient);
+    if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
+    scene.mutable_annotations()->set_convention(options.convention);
+    scene.mutable_annotations()->set_hidden(options.no_annotations);
+    setQuality(*request.mutable_quality(), options);
+    if (!options.camera.empty()) *request.mutable_camera() = cameraFromOption(options.camera);
+    return request;
+}
+
+void completeRequest(v1::FrameRequest& request, const Connection& connection) {
+    const auto stub = v1::CatalogService::NewStub(connection.channel());
+    v1::GlyphLayer& glyphs = *request.mutable_scene()->mutable_layers(0)->mutable_glyphs();
+    if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
+    if (request.has_camera()) return;
+    v1::FitCameraRequest fit;
+    fit.set_dataset_id(glyphs.dataset_id());
+    *fit.mutable_selection() = glyphs.selection();
+    fit.set_convention(request.scene().annotations().convention());
+    fit.set_aspect(request.height() > 0 ? static_cast<double>(request.width()) / request.height() : 1);
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::FitCameraResponse response;
+    connection.check(stub->FitCamera(&context, fit, &response));
+    *request.mutable_camera() = response.camera();
+}
+
+}  // namespace radiata::client
