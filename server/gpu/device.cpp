@@ -12,6 +12,9 @@
 namespace radiata::gpu {
 namespace {
 
+// Ten minutes: longer than any bounded dispatch, even on a busy software device.
+constexpr std::uint64_t kWaitMaxNs = 600'000'000'000;
+
 /// What the device says about itself, for people and for the limits that buffers are held to.
 void readProperties(Device::Impl& impl) {
     using Chain = vk::StructureChain<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties,
@@ -94,6 +97,18 @@ std::unique_ptr<Device::Impl> makeImpl() {
 }
 
 }  // namespace
+
+void Device::Impl::submitAndWait(const vk::raii::CommandBuffer& commands, const vk::raii::Fence& fence) {
+    const vk::CommandBufferSubmitInfo submitted{.commandBuffer = *commands};
+    device.resetFences(*fence);
+    {
+        std::lock_guard lock(queue_mutex);
+        queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &submitted}, *fence);
+    }
+    if (device.waitForFences(*fence, VK_TRUE, kWaitMaxNs) == vk::Result::eTimeout) {
+        throw Error(Code::kUnavailable, "'" + info.name + "' has not answered for ten minutes");
+    }
+}
 
 Device::Device(const DeviceOptions& options) : impl_(makeImpl()) {
     impl_->options = options;

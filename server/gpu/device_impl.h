@@ -50,6 +50,10 @@ struct Device::Impl {
 
     bool has(Feature feature) const { return features[static_cast<std::size_t>(feature)]; }
 
+    /// Submits ended commands and waits until they are done; `fence` must not be in use.
+    /// \throws vk::SystemError if the device is lost, Error(kUnavailable) if it does not answer for ten minutes
+    void submitAndWait(const vk::raii::CommandBuffer& commands, const vk::raii::Fence& fence);
+
     /// Name for validation messages; nothing without validation.
     template <typename Handle>
     void nameObject(const Handle& handle, const std::string& name) const {

@@ -14,8 +14,6 @@ using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
 constexpr std::uint32_t kTimedDispatches = 512;  // between two submits; one more submits what is there
-constexpr std::uint64_t kWaitSliceNs = 1'000'000'000;
-constexpr int kWaitSlices = 600;  // ten minutes: longer than any bounded dispatch, even on a busy software device
 
 void memoryBarrier(const vk::raii::CommandBuffer& commands, const vk::MemoryBarrier2& barrier) {
     commands.pipelineBarrier2(vk::DependencyInfo{.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
@@ -97,15 +95,7 @@ void CommandRecorder::Impl::submitAndWait() {
     barrierBeforeHost(commands);
     commands.end();
     recording = false;
-    const vk::CommandBufferSubmitInfo submitted{.commandBuffer = *commands};
-    device.device.resetFences(*fence);
-    {
-        std::lock_guard lock(device.queue_mutex);
-        device.queue.submit2(vk::SubmitInfo2{.commandBufferInfoCount = 1, .pCommandBufferInfos = &submitted}, *fence);
-    }
-    for (int slice = 0; device.device.waitForFences(*fence, VK_TRUE, kWaitSliceNs) == vk::Result::eTimeout; ++slice) {
-        if (slice >= kWaitSlices) throw Error(Code::kUnavailable, "the device has not answered for ten minutes");
-    }
+    device.submitAndWait(commands, fence);
     collectTimes();
 }
 
