@@ -32,7 +32,8 @@ ByteSource::ByteSource(const std::filesystem::path& path) : path_(path) {
         if (!compressed_) throw Error(Code::kUnavailable, name() + ": cannot be opened (" + std::strerror(errno) + ")");
         gzbuffer(compressed_.get(), kGzipBufferBytes);
         if (gzdirect(compressed_.get()) != 0) {
-            throw Error(Code::kCorrupt, name() + ": the name ends in .gz but the content is not gzip (it must begin with 1f 8b)");
+            throw Error(Code::kCorrupt,
+                        name() + ": the name ends in .gz but the content is not gzip (it must begin with 1f 8b)");
         }
     } else {
         plain_.reset(std::fopen(path.c_str(), "rbe"));

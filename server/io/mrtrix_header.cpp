@@ -1,9 +1,9 @@
 #include "io/mrtrix_header.h"
 
 #include <algorithm>
-#include <cctype>
 #include <array>
 #include <bit>
+#include <cctype>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -154,8 +154,8 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
         throw Error(Code::kNotFound, text.file() + ": the data file '" + file + "' is not there (" + failure.message() + ")");
     }
     if (std::ranges::mismatch(folder, target).in1 != folder.end()) {
-        throw Error(Code::kInvalidArgument, text.file() + ": the data file '" + file +
-                                                "' is a link that leads out of the header's folder");
+        throw Error(Code::kInvalidArgument,
+                    text.file() + ": the data file '" + file + "' is a link that leads out of the header's folder");
     }
     image.data_path = target;
 }
@@ -182,8 +182,8 @@ StoredImage readMrtrixHeader(const std::filesystem::path& path) {
     if (text.has("scaling")) {
         const std::vector<double> scaling = text.numbers("scaling");
         if (scaling.size() != 2 || !std::isfinite(scaling[0]) || !std::isfinite(scaling[1])) {
-            throw Error(Code::kCorrupt, file + ": scaling is '" + text.only("scaling") +
-                                            "'; it must be two finite numbers, offset and scale");
+            throw Error(Code::kCorrupt,
+                        file + ": scaling is '" + text.only("scaling") + "'; it must be two finite numbers, offset and scale");
         }
         image.intercept = scaling[0];
         image.slope = scaling[1];

@@ -33,7 +33,8 @@ std::size_t behindEnd(std::string_view text, std::size_t from) {
 std::string shown(std::string_view text) {
     constexpr std::size_t kMost = 60;
     std::string line(text.substr(0, kMost));
-    std::ranges::replace_if(line, [](unsigned char c) { return c < 32 || c > 126; }, '?');
+    std::ranges::replace_if(
+        line, [](unsigned char c) { return c < 32 || c > 126; }, '?');
     return "'" + line + (text.size() > kMost ? "...'" : "'");
 }
 
@@ -90,8 +91,8 @@ void MrtrixText::parse(std::string_view text) {
         if (line.empty() || line.front() == '#') continue;
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon == 0) {
-            throw Error(Code::kCorrupt, file_ + ": line " + std::to_string(number) + " is " + shown(line) +
-                                            "; it must be 'key: value'");
+            throw Error(Code::kCorrupt,
+                        file_ + ": line " + std::to_string(number) + " is " + shown(line) + "; it must be 'key: value'");
         }
         std::string key(trimmed(line.substr(0, colon)));
         std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });

@@ -79,33 +79,47 @@ Fields readFields(ByteSource& source) {
     }
     if (version == 2 && std::memcmp(text + offsetof(nifti_2_header, magic), "n+2", 4) == 0) {
         if (got < bytes.size()) {
-            throw Error(Code::kCorrupt, source.name() + ": the file has " + std::to_string(got) +
-                                            " bytes; a NIfTI-2 header has 540");
+            throw Error(Code::kCorrupt,
+                        source.name() + ": the file has " + std::to_string(got) + " bytes; a NIfTI-2 header has 540");
         }
         return parse<nifti_2_header>(bytes.data(), version);
     }
     if (version == 1 || version == 2) {
-        throw Error(Code::kUnsupported, source.name() + ": the header belongs to a pair of files (.hdr and .img); "
-                                                        "one file with magic n+1 or n+2 is read");
+        throw Error(Code::kUnsupported, source.name() +
+                                            ": the header belongs to a pair of files (.hdr and .img); "
+                                            "one file with magic n+1 or n+2 is read");
     }
-    throw Error(Code::kCorrupt, source.name() + ": this is no NIfTI file; it must begin with 348 or 540 in either byte order "
-                                                "and carry the magic n+1 or n+2");
+    throw Error(Code::kCorrupt, source.name() +
+                                    ": this is no NIfTI file; it must begin with 348 or 540 in either byte order "
+                                    "and carry the magic n+1 or n+2");
 }
 
 SampleType sampleType(int datatype, const std::string& file) {
     switch (datatype) {
-        case DT_INT8: return SampleType::kInt8;
-        case DT_UINT8: return SampleType::kUInt8;
-        case DT_INT16: return SampleType::kInt16;
-        case DT_UINT16: return SampleType::kUInt16;
-        case DT_INT32: return SampleType::kInt32;
-        case DT_UINT32: return SampleType::kUInt32;
-        case DT_INT64: return SampleType::kInt64;
-        case DT_UINT64: return SampleType::kUInt64;
-        case DT_FLOAT32: return SampleType::kFloat32;
-        case DT_FLOAT64: return SampleType::kFloat64;
-        case DT_FLOAT128: return SampleType::kFloat128;
-        default: break;
+        case DT_INT8:
+            return SampleType::kInt8;
+        case DT_UINT8:
+            return SampleType::kUInt8;
+        case DT_INT16:
+            return SampleType::kInt16;
+        case DT_UINT16:
+            return SampleType::kUInt16;
+        case DT_INT32:
+            return SampleType::kInt32;
+        case DT_UINT32:
+            return SampleType::kUInt32;
+        case DT_INT64:
+            return SampleType::kInt64;
+        case DT_UINT64:
+            return SampleType::kUInt64;
+        case DT_FLOAT32:
+            return SampleType::kFloat32;
+        case DT_FLOAT64:
+            return SampleType::kFloat64;
+        case DT_FLOAT128:
+            return SampleType::kFloat128;
+        default:
+            break;
     }
     throw Error(Code::kUnsupported, file + ": datatype is " + std::to_string(datatype) + " (" +
                                         nifti_datatype_string(datatype) +
@@ -128,8 +142,7 @@ double voxelEdge(const Fields& fields, std::size_t axis, const std::string& file
     const double edge = std::abs(fields.pixdim[axis]);
     if (flat && !(edge > 0)) return 1;  // one voxel thick: any edge will do, and many writers leave 0
     if (!(edge > 0) || !std::isfinite(edge)) {
-        throw Error(Code::kCorrupt, file + ": pixdim[" + std::to_string(axis) + "] is " +
-                                        std::to_string(fields.pixdim[axis]) +
+        throw Error(Code::kCorrupt, file + ": pixdim[" + std::to_string(axis) + "] is " + std::to_string(fields.pixdim[axis]) +
                                         "; without an sform it must be finite and not 0");
     }
     return edge;

@@ -58,18 +58,24 @@ void decodeBits(double slope, double intercept, const std::byte* bytes, std::spa
 
 std::uint64_t bitsOf(SampleType type) {
     switch (type) {
-        case SampleType::kBit: return 1;
+        case SampleType::kBit:
+            return 1;
         case SampleType::kInt8:
-        case SampleType::kUInt8: return 8;
+        case SampleType::kUInt8:
+            return 8;
         case SampleType::kInt16:
-        case SampleType::kUInt16: return 16;
+        case SampleType::kUInt16:
+            return 16;
         case SampleType::kInt32:
         case SampleType::kUInt32:
-        case SampleType::kFloat32: return 32;
+        case SampleType::kFloat32:
+            return 32;
         case SampleType::kInt64:
         case SampleType::kUInt64:
-        case SampleType::kFloat64: return 64;
-        case SampleType::kFloat128: return 128;
+        case SampleType::kFloat64:
+            return 64;
+        case SampleType::kFloat128:
+            return 128;
     }
     return 0;
 }
@@ -77,23 +83,35 @@ std::uint64_t bitsOf(SampleType type) {
 void decodeSamples(SampleType type, bool swapped, double slope, double intercept, std::span<const std::byte> bytes,
                    std::span<float> out) {
     if (bytes.size() < (out.size() * bitsOf(type) + 7) / 8) {
-        throw Error(Code::kInternal, "decodeSamples: " + std::to_string(bytes.size()) + " bytes for " +
-                                         std::to_string(out.size()) + " numbers");
+        throw Error(Code::kInternal,
+                    "decodeSamples: " + std::to_string(bytes.size()) + " bytes for " + std::to_string(out.size()) + " numbers");
     }
     const std::byte* data = bytes.data();
     switch (type) {
-        case SampleType::kBit: return decodeBits(slope, intercept, data, out);
-        case SampleType::kInt8: return decodeAs<std::int8_t>(swapped, slope, intercept, data, out);
-        case SampleType::kUInt8: return decodeAs<std::uint8_t>(swapped, slope, intercept, data, out);
-        case SampleType::kInt16: return decodeAs<std::int16_t>(swapped, slope, intercept, data, out);
-        case SampleType::kUInt16: return decodeAs<std::uint16_t>(swapped, slope, intercept, data, out);
-        case SampleType::kInt32: return decodeAs<std::int32_t>(swapped, slope, intercept, data, out);
-        case SampleType::kUInt32: return decodeAs<std::uint32_t>(swapped, slope, intercept, data, out);
-        case SampleType::kInt64: return decodeAs<std::int64_t>(swapped, slope, intercept, data, out);
-        case SampleType::kUInt64: return decodeAs<std::uint64_t>(swapped, slope, intercept, data, out);
-        case SampleType::kFloat32: return decodeAs<float>(swapped, slope, intercept, data, out);
-        case SampleType::kFloat64: return decodeAs<double>(swapped, slope, intercept, data, out);
-        case SampleType::kFloat128: return decodeAs<__float128>(swapped, slope, intercept, data, out);
+        case SampleType::kBit:
+            return decodeBits(slope, intercept, data, out);
+        case SampleType::kInt8:
+            return decodeAs<std::int8_t>(swapped, slope, intercept, data, out);
+        case SampleType::kUInt8:
+            return decodeAs<std::uint8_t>(swapped, slope, intercept, data, out);
+        case SampleType::kInt16:
+            return decodeAs<std::int16_t>(swapped, slope, intercept, data, out);
+        case SampleType::kUInt16:
+            return decodeAs<std::uint16_t>(swapped, slope, intercept, data, out);
+        case SampleType::kInt32:
+            return decodeAs<std::int32_t>(swapped, slope, intercept, data, out);
+        case SampleType::kUInt32:
+            return decodeAs<std::uint32_t>(swapped, slope, intercept, data, out);
+        case SampleType::kInt64:
+            return decodeAs<std::int64_t>(swapped, slope, intercept, data, out);
+        case SampleType::kUInt64:
+            return decodeAs<std::uint64_t>(swapped, slope, intercept, data, out);
+        case SampleType::kFloat32:
+            return decodeAs<float>(swapped, slope, intercept, data, out);
+        case SampleType::kFloat64:
+            return decodeAs<double>(swapped, slope, intercept, data, out);
+        case SampleType::kFloat128:
+            return decodeAs<__float128>(swapped, slope, intercept, data, out);
     }
 }
 

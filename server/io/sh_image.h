@@ -12,10 +12,10 @@ namespace radiata::io {
 /// Reads an SH image. The number of volumes gives the bands: even 1, 6, 15, 28, 45, 66, 91, 120, 153; full 1, 4, 9, ... 289.
 /// What `options` leaves open is read as MRtrix3 writes it: tournier07, directions in world axes; describe() prints it.
 ///
-/// Axes kVoxel: direction (1, 0, 0) of the file points along increasing first index. The function is turned to world axes by the
-/// orthogonal polar factor of the 3x3 part of voxel_to_world, which mirrors if the grid is left-handed (a flipped first axis)
-/// and ignores voxel sizes and shear. This is DIPY's rule. FSL's differs for right-handed grids (positive determinant): there
-/// its gradient directions have their first component negated, so SH fitted to unchanged FSL gradients on such a grid are
+/// Axes kVoxel: direction (1, 0, 0) of the file points along increasing first index. The function is turned to world axes by
+/// the orthogonal polar factor of the 3x3 part of voxel_to_world, which mirrors if the grid is left-handed (a flipped first
+/// axis) and ignores voxel sizes and shear. This is DIPY's rule. FSL's differs for right-handed grids (positive determinant):
+/// there its gradient directions have their first component negated, so SH fitted to unchanged FSL gradients on such a grid are
 /// mirrored and must be fitted to directions in the grid's own axes first.
 ///
 /// Cost: about 0.4 s for 200,000 voxels of 45 volumes, compressed. Error: none for descoteaux07, descoteaux07_legacy and

@@ -1,8 +1,10 @@
 #include "io/stored_image.h"
 
 #include <algorithm>
-#include <functional>
 #include <cmath>
+#include <cstdio>
+#include <functional>
+#include <new>
 
 #include "base/checked.h"
 #include "base/error.h"
@@ -93,8 +95,8 @@ std::array<int, 4> fourAxes(std::span<const std::int64_t> lengths, const std::st
     std::uint64_t count = 1;
     for (std::size_t i = 0; i < lengths.size(); ++i) {
         if (lengths[i] < 1) {
-            throw Error(Code::kCorrupt, file + ": axis " + std::to_string(i + 1) + " has length " +
-                                            std::to_string(lengths[i]) + "; it must be at least 1");
+            throw Error(Code::kCorrupt, file + ": axis " + std::to_string(i + 1) + " has length " + std::to_string(lengths[i]) +
+                                            "; it must be at least 1");
         }
         count = checkedMultiply(count, static_cast<std::uint64_t>(lengths[i]), file + ": number of samples");
         if (i < 4) {
@@ -102,16 +104,16 @@ std::array<int, 4> fourAxes(std::span<const std::int64_t> lengths, const std::st
         } else if (lengths[i] > 1) {
             if (lengths[static_cast<std::size_t>(axes[3])] > 1) {
                 throw Error(Code::kUnsupported, file + ": axes " + std::to_string(axes[3] + 1) + " and " +
-                                                    std::to_string(i + 1) + " are both longer than 1; only one axis "
+                                                    std::to_string(i + 1) +
+                                                    " are both longer than 1; only one axis "
                                                     "of volumes is read");
             }
             axes[3] = static_cast<int>(i);
         }
     }
     if (count > kSamplesMax) {
-        throw Error(Code::kResourceExhausted, file + ": the header asks for " + std::to_string(count) +
-                                                  " samples; at most " + std::to_string(kSamplesMax) +
-                                                  " (16 GiB as float) are read");
+        throw Error(Code::kResourceExhausted, file + ": the header asks for " + std::to_string(count) + " samples; at most " +
+                                                  std::to_string(kSamplesMax) + " (16 GiB as float) are read");
     }
     return axes;
 }
@@ -149,9 +151,14 @@ StoredImage readStoredImage(const std::filesystem::path& path) {
 }
 
 std::vector<float> readSamples(const StoredImage& image) {
-    std::vector<float> stored = readInFileOrder(image);
     const bool in_order = image.rank == std::array<int, 4>{0, 1, 2, 3} && std::ranges::none_of(image.reversed, std::identity{});
-    return in_order ? stored : reorder(image, stored);
+    try {
+        std::vector<float> stored = readInFileOrder(image);
+        return in_order ? stored : reorder(image, stored);
+    } catch (const std::bad_alloc&) {
+        throw Error(Code::kResourceExhausted, image.data_path.filename().string() + ": there is no memory for " +
+                                                  std::to_string(sampleCount(image)) + " samples");
+    }
 }
 
 }  // namespace radiata::io

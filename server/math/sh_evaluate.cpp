@@ -26,12 +26,12 @@ double sum(ShLayout layout, std::span<const Real> coefficients, const glm::dvec3
 
 void evaluateSh(ShLayout layout, const glm::dvec3& direction, std::span<double> values) {
     if (layout.lmax < 0 || layout.lmax > kLmaxLimit || values.size() != layout.count()) {
-        throw Error(Code::kInternal, "evaluateSh: lmax " + std::to_string(layout.lmax) + " with " +
-                                         std::to_string(values.size()) + " values");
+        throw Error(Code::kInternal,
+                    "evaluateSh: lmax " + std::to_string(layout.lmax) + " with " + std::to_string(values.size()) + " values");
     }
     const double z = direction.z;
-    double cosine = 1, sine = 0;                             // Re and Im of (x + i y)^m
-    double sectoral = 0.5 * std::numbers::inv_sqrtpi;        // normalised P_m^m / sin^m, without Condon-Shortley phase
+    double cosine = 1, sine = 0;                       // Re and Im of (x + i y)^m
+    double sectoral = 0.5 * std::numbers::inv_sqrtpi;  // normalised P_m^m / sin^m, without Condon-Shortley phase
     for (int m = 0; m <= layout.lmax; ++m) {
         double before = 0;
         double here = sectoral;
@@ -39,8 +39,8 @@ void evaluateSh(ShLayout layout, const glm::dvec3& direction, std::span<double> 
             if (l > m) {
                 const double ll = l, mm = m;
                 const double a = std::sqrt((2 * ll - 1) * (2 * ll + 1) / ((ll - mm) * (ll + mm)));
-                const double b = std::sqrt((2 * ll + 1) * (ll + mm - 1) * (ll - mm - 1) /
-                                           ((ll - mm) * (ll + mm) * (2 * ll - 3)));
+                const double b =
+                    std::sqrt((2 * ll + 1) * (ll + mm - 1) * (ll - mm - 1) / ((ll - mm) * (ll + mm) * (2 * ll - 3)));
                 const double next = a * z * here - b * before;
                 before = here;
                 here = next;

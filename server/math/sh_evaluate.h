@@ -13,8 +13,8 @@ namespace radiata {
 /// \param direction  unit
 /// \param values     layout.count() values, in the layout's order
 /// |error| < 1e-14 times sqrt(2 l + 1) for bands to 16 (tests/unit/math/sh_evaluate_test.cpp)
-/// Source: Holmes & Featherstone 2002, Eq. 11 (normalised forward columns), with sin^m theta cos m phi taken as Re (x + i y)^m, so
-/// that nothing is divided at the poles.
+/// Source: Holmes & Featherstone 2002, Eq. 11 (normalised forward columns), with sin^m theta cos m phi taken as Re (x + i y)^m,
+/// so that nothing is divided at the poles.
 void evaluateSh(ShLayout layout, const glm::dvec3& direction, std::span<double> values);
 
 /// The function with these coefficients along one direction.
