@@ -1,0 +1,90 @@
+"""A live view: an iterator over its frames that acknowledges each, and a camera that can be moved meanwhile."""
+
+import threading
+import time
+
+import grpc
+
+from .errors import translated
+from .frame import Frame
+from .request import as_camera
+from .v1 import view_pb2, view_pb2_grpc
+
+
+class View:
+    """Opened by Client.stream. Iterate for frames; close() or leaving the `with` block ends it.
+
+    The iterator ends when the view is closed. A frame is acknowledged when it is handed out, so a script that takes long over
+    one frame holds back the next ones instead of piling them up. update() may be called from any thread.
+    """
+
+    def __init__(self, channel, request, window=None, timeout=600):
+        self._stub = view_pb2_grpc.ViewServiceStub(channel)
+        self._timeout = timeout
+        self._lock = threading.Lock()
+        self._camera_sequence = 0
+        self._acknowledged = 0
+        self._closed = False
+        opened = view_pb2.OpenRequest(frame=request)
+        if window is not None:
+            opened.window = window
+        self._stream = self._stub.Open(opened)
+        try:
+            self.id = next(self._stream).view_id
+        except grpc.RpcError as error:
+            raise translated(error) from None
+
+    def __iter__(self):
+        return self
+
+    def __next__(self):
+        try:
+            while True:
+                response = next(self._stream)
+                if response.HasField("frame"):
+                    break
+        except grpc.RpcError as error:
+            if self._closed and error.code() == grpc.StatusCode.CANCELLED:
+                raise StopIteration from None
+            raise translated(error) from None
+        with self._lock:
+            self._acknowledged = response.frame.sequence
+        self._send(view_pb2.UpdateRequest())
+        return Frame(response.frame)
+
+    def update(self, camera=None, scene=None, quality=None, size=None):
+        """Moves the camera or changes what is shown; returns the camera sequence that the answering frames echo."""
+        request = view_pb2.UpdateRequest(client_time_ms=time.time() * 1e3)
+        if camera is not None:
+            request.camera.CopyFrom(as_camera(camera))
+            with self._lock:
+                self._camera_sequence += 1
+        if scene is not None:
+            request.scene.CopyFrom(scene)
+        if quality is not None:
+            request.quality.CopyFrom(quality)
+        if size is not None:
+            request.width, request.height = size
+        return self._send(request)
+
+    def _send(self, request):
+        request.view_id = self.id
+        with self._lock:
+            request.acknowledged_sequence = self._acknowledged
+            request.camera_sequence = self._camera_sequence
+        try:
+            self._stub.Update(request, timeout=self._timeout)
+        except grpc.RpcError as error:
+            raise translated(error) from None
+        return request.camera_sequence
+
+    def close(self):
+        """Ends the view on the server too."""
+        self._closed = True
+        self._stream.cancel()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *ignored):
+        self.close()
