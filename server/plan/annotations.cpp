@@ -1,0 +1,107 @@
+#include "plan/annotations.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace radiata::plan {
+namespace {
+
+using model::Mark;
+using model::MarkAlign;
+
+constexpr double kSecondLetter = 0.25;  // sine of the angle from which the second letter is written
+constexpr float kLetterSize = 1.4F;
+
+std::string stateText(model::FrameState state, int samples, int samples_wanted) {
+    if (state == model::FrameState::kConverged) return "converged";
+    if (state == model::FrameState::kInteractive) return "interactive";
+    return "refining " + std::to_string(samples) + " of " + std::to_string(samples_wanted);
+}
+
+/// Says where the patient's left is if the view shows it, and how that goes with the convention that was asked for.
+std::string conventionText(model::Convention convention, const glm::dvec3& right) {
+    const bool radiological = convention == model::Convention::kRadiological;
+    const std::string name = radiological ? "radiological" : "neurological";
+    const bool shows_left = std::abs(right.x) > std::abs(right.y) && std::abs(right.x) > std::abs(right.z);
+    if (!shows_left) return name;
+    const bool left_on_right = right.x < 0;
+    const std::string fact = left_on_right ? "patient's left on the right" : "patient's left on the left";
+    return (left_on_right == radiological ? name : "not " + name) + ": " + fact;
+}
+
+std::string lobesText(const model::Scene& scene) {
+    const auto shown = [](const model::Layer& layer) {
+        return layer.glyphs.negative_lobes == model::NegativeLobes::kShown;
+    };
+    if (std::all_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes shown";
+    if (std::none_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes hidden";
+    return "negative lobes hidden in some layers";
+}
+
+/// Empty if the picture leaves nothing out.
+std::string subsetText(const model::Scene& scene, const SubsetFacts& facts) {
+    if (facts.glyphs >= facts.glyphs_available) return {};
+    std::string what = "subset";
+    if (!scene.layers.empty()) {
+        const model::Region region = scene.layers.front().glyphs.selection.region;
+        const auto same = [region](const model::Layer& layer) { return layer.glyphs.selection.region == region; };
+        if (std::all_of(scene.layers.begin(), scene.layers.end(), same)) {
+            if (region == model::Region::kSlice) what = "slice";
+            if (region == model::Region::kSlab) what = "slab";
+        }
+    }
+    return what + ": " + std::to_string(facts.glyphs) + " of " + std::to_string(facts.glyphs_available) + " glyphs shown";
+}
+
+Mark corner(std::string text, float x, float y, int line) {
+    Mark mark;
+    mark.text = std::move(text);
+    mark.x = x;
+    mark.y = y;
+    mark.horizontal = x > 0.5F ? MarkAlign::kEnd : MarkAlign::kStart;
+    mark.vertical = y > 0.5F ? MarkAlign::kEnd : MarkAlign::kStart;
+    mark.line = line;
+    return mark;
+}
+
+Mark edge(const glm::dvec3& direction, float x, float y, MarkAlign horizontal, MarkAlign vertical) {
+    return {orientationLetters(direction), x, y, horizontal, vertical, 0, kLetterSize};
+}
+
+}  // namespace
+
+std::string orientationLetters(const glm::dvec3& direction) {
+    constexpr std::array<const char*, 3> kPositive = {"R", "A", "S"};
+    constexpr std::array<const char*, 3> kNegative = {"L", "P", "I"};
+    std::array<int, 3> order = {0, 1, 2};
+    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return std::abs(direction[a]) > std::abs(direction[b]); });
+    const auto letter = [&](int axis) {
+        return direction[axis] < 0 ? kNegative[static_cast<std::size_t>(axis)] : kPositive[static_cast<std::size_t>(axis)];
+    };
+    std::string letters = letter(order[0]);
+    if (std::abs(direction[order[1]]) > kSecondLetter) letters += letter(order[1]);
+    return letters;
+}
+
+std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameState state, int samples,
+                              const SubsetFacts& facts) {
+    if (request.scene.annotations.hidden) return {};
+    const model::CameraFrame axes = model::cameraFrame(request.camera);
+    std::vector<Mark> marks = {
+        edge(-axes.right, 0, 0.5F, MarkAlign::kStart, MarkAlign::kCenter),
+        edge(axes.right, 1, 0.5F, MarkAlign::kEnd, MarkAlign::kCenter),
+        edge(axes.up, 0.5F, 0, MarkAlign::kCenter, MarkAlign::kStart),
+        edge(-axes.up, 0.5F, 1, MarkAlign::kCenter, MarkAlign::kEnd),
+        corner("not for diagnostic use", 1, 1, 0),
+        corner(stateText(state, samples, request.quality.samples), 0, 0, 0),
+        corner(conventionText(request.scene.annotations.convention, axes.right), 0, 1, 0),
+        corner(lobesText(request.scene), 0, 0, 1),
+    };
+    if (std::string subset = subsetText(request.scene, facts); !subset.empty()) {
+        marks.push_back(corner(std::move(subset), 0, 0, 2));
+    }
+    return marks;
+}
+
+}  // namespace radiata::plan

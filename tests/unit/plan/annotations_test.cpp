@@ -1,0 +1,85 @@
+// The marks say where the patient's left is, whatever way the camera turns, and name what the picture leaves out.
+#include "plan/annotations.h"
+
+#include <string>
+
+#include <gmock/gmock.h>
+
+namespace radiata::plan {
+namespace {
+
+using ::testing::IsEmpty;
+
+model::FrameRequest request(const glm::dvec3& eye, const glm::dvec3& up) {
+    model::FrameRequest frame;
+    frame.scene.layers.emplace_back();
+    frame.camera.eye_mm = eye;
+    frame.camera.up = up;
+    return frame;
+}
+
+/// Text of the mark at an anchor and line.
+std::string at(const std::vector<model::Mark>& marks, float x, float y, int line = 0) {
+    for (const model::Mark& mark : marks) {
+        if (mark.x == x && mark.y == y && mark.line == line) return mark.text;
+    }
+    return {};
+}
+
+TEST(Annotations, AxialFromTheFeetIsRadiological) {
+    const auto marks = annotations(request({0, 0, -100}, {0, 1, 0}), model::FrameState::kConverged, 16, {10, 10});
+    EXPECT_EQ(at(marks, 0, 0.5F), "R");
+    EXPECT_EQ(at(marks, 1, 0.5F), "L");
+    EXPECT_EQ(at(marks, 0.5F, 0), "A");
+    EXPECT_EQ(at(marks, 0.5F, 1), "P");
+    EXPECT_EQ(at(marks, 0, 1), "radiological: patient's left on the right");
+    EXPECT_EQ(at(marks, 1, 1), "not for diagnostic use");
+    EXPECT_EQ(at(marks, 0, 0), "converged");
+    EXPECT_EQ(at(marks, 0, 0, 1), "negative lobes hidden");
+    EXPECT_EQ(at(marks, 0, 0, 2), "");
+}
+
+TEST(Annotations, AxialFromAboveContradictsTheRadiologicalSetting) {
+    auto frame = request({0, 0, 100}, {0, 1, 0});
+    auto marks = annotations(frame, model::FrameState::kInteractive, 1, {});
+    EXPECT_EQ(at(marks, 0, 0.5F), "L");
+    EXPECT_EQ(at(marks, 0, 1), "not radiological: patient's left on the left");
+    frame.scene.annotations.convention = model::Convention::kNeurological;
+    marks = annotations(frame, model::FrameState::kInteractive, 1, {});
+    EXPECT_EQ(at(marks, 0, 1), "neurological: patient's left on the left");
+}
+
+TEST(Annotations, SagittalViewClaimsNothingAboutLeft) {
+    const auto marks = annotations(request({-100, 0, 0}, {0, 0, 1}), model::FrameState::kRefining, 4, {});
+    EXPECT_EQ(at(marks, 0, 0.5F), "A");
+    EXPECT_EQ(at(marks, 1, 0.5F), "P");
+    EXPECT_EQ(at(marks, 0.5F, 0), "S");
+    EXPECT_EQ(at(marks, 0.5F, 1), "I");
+    EXPECT_EQ(at(marks, 0, 1), "radiological");
+    EXPECT_EQ(at(marks, 0, 0), "refining 4 of 16");
+}
+
+TEST(Annotations, ObliqueDirectionsGetASecondLetter) {
+    EXPECT_EQ(orientationLetters(glm::normalize(glm::dvec3(-2, 1, 0))), "LA");
+    EXPECT_EQ(orientationLetters(glm::normalize(glm::dvec3(0, 1, -2))), "IA");
+    EXPECT_EQ(orientationLetters(glm::normalize(glm::dvec3(-10, 1, 0))), "L");
+    EXPECT_EQ(orientationLetters({0, 0, 1}), "S");
+}
+
+TEST(Annotations, NamesSubsetAndLobes) {
+    auto frame = request({0, 0, -100}, {0, 1, 0});
+    frame.scene.layers[0].glyphs.selection.region = model::Region::kSlice;
+    frame.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    const auto marks = annotations(frame, model::FrameState::kConverged, 16, {7216, 90000});
+    EXPECT_EQ(at(marks, 0, 0, 1), "negative lobes shown");
+    EXPECT_EQ(at(marks, 0, 0, 2), "slice: 7216 of 90000 glyphs shown");
+}
+
+TEST(Annotations, HiddenLeavesAllOut) {
+    auto frame = request({0, 0, -100}, {0, 1, 0});
+    frame.scene.annotations.hidden = true;
+    EXPECT_THAT(annotations(frame, model::FrameState::kConverged, 16, {1, 2}), IsEmpty());
+}
+
+}  // namespace
+}  // namespace radiata::plan
