@@ -11,6 +11,7 @@
 #include "base/error.h"
 #include "base/parallel.h"
 #include "build/sphere_grid.h"
+#include "math/sh_evaluate.h"
 
 namespace radiata {
 namespace {
@@ -132,36 +133,6 @@ struct Certifier {
     }
 };
 
-/// The internal basis at a unit direction, by upward recurrence of the normalised Legendre functions.
-void evaluateBasis(ShLayout layout, const glm::dvec3& d, std::span<double> out) {
-    const double root_two = std::numbers::sqrt2;
-    double diagonal = std::sqrt(0.25 / std::numbers::pi);
-    double re = 1, im = 0;  // (x + i y)^m
-    for (int m = 0; m <= layout.lmax; ++m) {
-        double previous = 0, current = diagonal;
-        for (int l = m; l <= layout.lmax; ++l) {
-            if (l > m) {
-                const double a = std::sqrt((4.0 * l * l - 1) / (double(l) * l - double(m) * m));
-                const double b = std::sqrt((double(l - 1) * (l - 1) - double(m) * m) / (4.0 * (l - 1) * (l - 1) - 1));
-                const double next = a * (d.z * current - (l > m + 1 ? b * previous : 0.0));
-                previous = current;
-                current = next;
-            }
-            if (l % layout.step() != 0) continue;
-            if (m == 0) {
-                out[layout.index(l, 0)] = current;
-            } else {
-                out[layout.index(l, -m)] = root_two * current * re;
-                out[layout.index(l, m)] = root_two * current * im * (m % 2 != 0 ? -1 : 1);
-            }
-        }
-        diagonal *= std::sqrt((2.0 * m + 3) / (2.0 * m + 2));
-        const double next_re = re * d.x - im * d.y;
-        im = re * d.y + im * d.x;
-        re = next_re;
-    }
-}
-
 }  // namespace
 
 BoundsEvaluator::BoundsEvaluator(ShLayout layout) : layout_(layout) {
@@ -175,7 +146,7 @@ BoundsEvaluator::BoundsEvaluator(ShLayout layout) : layout_(layout) {
     for (std::size_t i = 0; i < tile_count * kTile; ++i) {
         const glm::dvec3& d = directions_[std::min(i, directions_.size() - 1)];
         float* tile = tiles_.data() + i / kTile * (count + 3) * kTile + i % kTile;
-        evaluateBasis(layout, d, basis);
+        evaluateSh(layout, d, basis);
         for (int axis = 0; axis < 3; ++axis) tile[axis * kTile] = static_cast<float>(d[axis]);
         for (std::size_t j = 0; j < count; ++j) tile[(j + 3) * kTile] = static_cast<float>(basis[j]);
     }

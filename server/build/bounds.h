@@ -42,9 +42,8 @@ public:
 
     /// \param coefficients    n * layout.count() values, internal convention, glyph by glyph; any finite values
     /// \param negative_lobes  the surface is |f(d)| d; else only where f > 0
-    /// \param out             n bounds, never smaller than the glyph. Radius and extents are too large by at most 2.1 % of max
-    /// |f|
-    ///                        and max |d_a f| over all directions, hidden lobes too. Values beyond float saturate.
+    /// \param out             n bounds, never smaller than the glyph. Radius and extents are too large by at most 2.1 % of
+    ///                        max |f| and max |d_a f| over all directions, hidden lobes too. Values beyond float saturate.
     /// \throws Error(kInvalidArgument) for a coefficient that is not finite, Error(kInternal) for spans that do not match
     void evaluate(std::span<const float> coefficients, bool negative_lobes, std::span<GlyphBounds> out) const;
 
