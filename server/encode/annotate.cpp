@@ -13,9 +13,9 @@
 namespace radiata::encode {
 namespace {
 
-constexpr int kSideMin = 48;         // px; smaller pictures get no marks
+constexpr int kSideMin = 48;  // px; smaller pictures get no marks
 constexpr double kTextHeight = 1.0 / 42;
-constexpr int kTextMin = 10;         // px
+constexpr int kTextMin = 10;  // px
 constexpr double kLineSpacing = 1.3;
 
 struct Rect {
@@ -67,8 +67,10 @@ void blend(Picture& picture, const Mask& mask, int left, int top, int color) {
         for (int x = 0; x < mask.width; ++x) {
             const int alpha = mask.at(x, y);
             if (alpha == 0) continue;
-            std::uint8_t* pixel = picture.rgba.data() + (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(picture.width) +
-                                                         static_cast<std::size_t>(left + x)) * 4;
+            std::uint8_t* pixel =
+                picture.rgba.data() + (static_cast<std::size_t>(top + y) * static_cast<std::size_t>(picture.width) +
+                                       static_cast<std::size_t>(left + x)) *
+                                          4;
             for (int c = 0; c < 3; ++c) {
                 pixel[c] = static_cast<std::uint8_t>((pixel[c] * (255 - alpha) + color * alpha + 127) / 255);
             }
@@ -126,8 +128,10 @@ struct Annotator::Impl {
 Annotator::Annotator(const std::filesystem::path& font) : impl_(std::make_unique<Impl>()) {
     if (FT_Init_FreeType(&impl_->library) != 0) throw Error(Code::kInternal, "FreeType does not start");
     if (FT_New_Face(impl_->library, font.c_str(), 0, &impl_->face) != 0) {
-        throw Error(Code::kNotFound, "font " + font.string() + " for the marks is not there or no font; the Debian package "
-                                     "fonts-dejavu-core has " + kDefaultFont);
+        throw Error(Code::kNotFound, "font " + font.string() +
+                                         " for the marks is not there or no font; the Debian package "
+                                         "fonts-dejavu-core has " +
+                                         kDefaultFont);
     }
 }
 
@@ -153,7 +157,8 @@ void Annotator::draw(Picture& picture, std::span<const model::Mark> marks) {
         const bool outside = box.left < 0 || box.top < 0 || box.right > picture.width || box.bottom > picture.height;
         // Lines of one block may share their borders.
         const Rect core{box.left + border, box.top + 2 * border, box.right - border, box.bottom - 2 * border};
-        if (outside || std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return core.overlaps(other); })) continue;
+        if (outside || std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return core.overlaps(other); }))
+            continue;
         taken.push_back(core);
         blend(picture, dilate(mask, border), left, top, 0);
         blend(picture, mask, left, top, 255);

@@ -34,8 +34,8 @@ std::vector<std::uint8_t> encodeJpeg(const PictureView& picture, int quality) {
     const Handle handle = checked(tjInitCompress());
     unsigned char* bytes = nullptr;
     unsigned long size = 0;
-    const int failed = tjCompress2(handle.get(), picture.rgba.data(), picture.width, 0, picture.height, TJPF_RGBA, &bytes, &size,
-                                   TJSAMP_444, quality, 0);
+    const int failed = tjCompress2(handle.get(), picture.rgba.data(), picture.width, 0, picture.height, TJPF_RGBA, &bytes,
+                                   &size, TJSAMP_444, quality, 0);
     const std::unique_ptr<unsigned char, BufferDeleter> owner(bytes);
     if (failed != 0) throw Error(Code::kInvalidArgument, std::string("JPEG encoder: ") + tjGetErrorStr2(handle.get()));
     return {bytes, bytes + size};
@@ -57,8 +57,8 @@ Picture decodeJpeg(std::span<const std::uint8_t> bytes) {
                                         " are decoded");
     }
     picture.rgba.resize(pixels * 4);
-    if (tjDecompress2(handle.get(), bytes.data(), bytes.size(), picture.rgba.data(), picture.width, 0, picture.height, TJPF_RGBA,
-                      0) != 0) {
+    if (tjDecompress2(handle.get(), bytes.data(), bytes.size(), picture.rgba.data(), picture.width, 0, picture.height,
+                      TJPF_RGBA, 0) != 0) {
         throw Error(Code::kCorrupt, std::string("JPEG: the data is not valid: ") + tjGetErrorStr2(handle.get()));
     }
     return picture;

@@ -31,9 +31,7 @@ std::string conventionText(model::Convention convention, const glm::dvec3& right
 }
 
 std::string lobesText(const model::Scene& scene) {
-    const auto shown = [](const model::Layer& layer) {
-        return layer.glyphs.negative_lobes == model::NegativeLobes::kShown;
-    };
+    const auto shown = [](const model::Layer& layer) { return layer.glyphs.negative_lobes == model::NegativeLobes::kShown; };
     if (std::all_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes shown";
     if (std::none_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes hidden";
     return "negative lobes hidden in some layers";

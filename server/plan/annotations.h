@@ -17,8 +17,8 @@ struct SubsetFacts {
     std::uint64_t glyphs_available = 0;  ///< that the layers' datasets hold
 };
 
-/// Orientation letters of a world direction (RAS): the dominant axis first, a second letter where the direction leaves that axis
-/// by more than about 14 degrees ("LA"). \param direction  unit, world
+/// Orientation letters of a world direction (RAS): the dominant axis first, a second letter where the direction leaves that
+/// axis by more than about 14 degrees ("LA"). \param direction  unit, world
 std::string orientationLetters(const glm::dvec3& direction);
 
 /// All marks of a picture, the most important first; none if the scene's annotations are hidden.

@@ -28,7 +28,8 @@ Changed changed(const Picture& picture, std::uint8_t background) {
     for (int y = 0; y < picture.height; ++y) {
         for (int x = 0; x < picture.width; ++x) {
             const int value = picture.rgba[(static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) +
-                                            static_cast<std::size_t>(x)) * 4];
+                                            static_cast<std::size_t>(x)) *
+                                           4];
             if (value == background) continue;
             ++result.count;
             result.left = std::min(result.left, x);
@@ -90,7 +91,8 @@ TEST(Annotator, LeavesOutWhatDoesNotFitOrOverlaps) {
     annotator.draw(first, {same.data(), 1});
     EXPECT_EQ(both.rgba, first.rgba);
 
-    const model::Mark wide = mark("much too long for a picture this small", 0, 0, model::MarkAlign::kStart, model::MarkAlign::kStart);
+    const model::Mark wide =
+        mark("much too long for a picture this small", 0, 0, model::MarkAlign::kStart, model::MarkAlign::kStart);
     Picture narrow = flat(100, 100, 128);
     annotator.draw(narrow, {&wide, 1});
     EXPECT_EQ(changed(narrow, 128).count, 0);

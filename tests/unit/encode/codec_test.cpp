@@ -77,7 +77,8 @@ TEST(Png, IsMarkedAsSrgbAndRepeatable) {
 }
 
 TEST(Png, RefusesBrokenBytes) {
-    refusesBrokenBytes(encodePng(colours(40, 30)), [](std::span<const std::uint8_t> bytes) { return decodePng(bytes); }, true);
+    refusesBrokenBytes(
+        encodePng(colours(40, 30)), [](std::span<const std::uint8_t> bytes) { return decodePng(bytes); }, true);
 }
 
 TEST(Jpeg, KeepsDirectionColours) {
@@ -88,8 +89,8 @@ TEST(Jpeg, KeepsDirectionColours) {
 }
 
 TEST(Jpeg, RefusesBrokenBytes) {
-    refusesBrokenBytes(encodeJpeg(colours(40, 30), 90), [](std::span<const std::uint8_t> bytes) { return decodeJpeg(bytes); },
-                       false);
+    refusesBrokenBytes(
+        encodeJpeg(colours(40, 30), 90), [](std::span<const std::uint8_t> bytes) { return decodeJpeg(bytes); }, false);
 }
 
 TEST(Codecs, RefuseMalformedPictures) {

@@ -1,0 +1,37 @@
+// What sessions need from whatever draws: a few functions, so that a stub fits where there is no device.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "model/dataset.h"
+#include "model/frame.h"
+
+namespace radiata::session {
+
+/// Adds samples [first_sample, first_sample + count) to the picture of a view and returns it; the contract of
+/// render::Renderer::render, with one target per view id. Ids are never used twice.
+/// \throws Error(kCancelled) at most 50 ms after `cancel` was raised
+using RenderFunction = std::function<model::Frame(std::uint64_t view, const model::FrameRequest& request, int first_sample,
+                                                  int count, const model::Outputs& outputs, const std::atomic<bool>* cancel)>;
+
+struct Backend {
+    // Called by the one render thread only.
+    RenderFunction render;
+    std::function<void(std::uint64_t view)> release;  ///< the view will not be drawn again
+    std::function<model::Camera(const std::string& dataset_id, const model::VoxelSelection& selection,
+                                model::Convention convention, double aspect)>
+        fit_camera;
+
+    // Called by any thread.
+    std::function<std::vector<model::DatasetInfo>()> list;
+    std::function<model::DatasetInfo(const std::string& id)> info;  ///< \throws Error(kNotFound)
+
+    std::string device;
+    std::vector<std::string> traversals;
+};
+
+}  // namespace radiata::session

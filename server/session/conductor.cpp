@@ -1,0 +1,163 @@
+// The side of Conductor that other threads call. conductor_loop.cpp has the render thread's.
+#include "session/conductor.h"
+
+#include <string>
+#include <vector>
+
+namespace radiata::session {
+namespace {
+
+constexpr double kPreempt_ms = 250;  // refinement steps longer than this make way for another view's camera
+
+Error stoppingError() { return {Code::kUnavailable, "the server is stopping; connect again later"}; }
+
+}  // namespace
+
+Conductor::Conductor(Backend backend, Settings settings)
+    : backend_(std::move(backend)),
+      settings_(std::move(settings)),
+      encoders_(settings_.encoder_threads, settings_.font,
+                [this] {
+                    // With the lock, so that the render thread cannot miss it between its look and its wait.
+                    std::lock_guard lock(mutex_);
+                    changed_.notify_all();
+                }),
+      thread_([this] { work(); }) {}
+
+Conductor::~Conductor() {
+    stop();
+    thread_.join();
+}
+
+void Conductor::refuseWhenStopping() const {
+    if (stopping_) throw stoppingError();
+}
+
+std::uint64_t Conductor::open(const model::FrameRequest& request, int window, ViewCallbacks callbacks) {
+    model::validate(request, settings_.limits);
+    if (window < 1 || window > settings_.limits.window_max) {
+        throw Error(Code::kInvalidArgument,
+                    "window is " + std::to_string(window) + "; it must be 1 to " + std::to_string(settings_.limits.window_max));
+    }
+    std::lock_guard lock(mutex_);
+    refuseWhenStopping();
+    if (views_.size() >= static_cast<std::size_t>(settings_.limits.views_max)) {
+        throw Error(Code::kResourceExhausted, "open views: " + std::to_string(views_.size()) +
+                                                  " are open, which is the limit; close one or try again later");
+    }
+    const std::uint64_t id = ++last_id_;
+    views_.emplace(id,
+                   std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks)}));
+    changed_.notify_all();
+    return id;
+}
+
+void Conductor::update(std::uint64_t id, const Change& change) {
+    std::lock_guard lock(mutex_);
+    refuseWhenStopping();
+    const auto found = views_.find(id);
+    if (found == views_.end()) throw Error(Code::kNotFound, "the view is closed");
+    View& view = found->second->view;
+    if (change.camera || change.scene || change.quality || change.size) {
+        model::validate(view.merged(change), settings_.limits);
+    }
+    const bool different = view.apply(change, Clock::now());
+    if (different && running_ && running_->refines && (running_->id == id || running_->expected_ms > kPreempt_ms)) {
+        running_->cancel = true;
+    }
+    changed_.notify_all();
+}
+
+std::optional<StreamFrame> Conductor::take(std::uint64_t id) {
+    std::lock_guard lock(mutex_);
+    const auto found = views_.find(id);
+    if (found == views_.end()) return std::nullopt;
+    return found->second->view.take(Clock::now());
+}
+
+void Conductor::close(std::uint64_t id) {
+    std::lock_guard lock(mutex_);
+    if (views_.erase(id) == 0) return;
+    if (running_ && running_->id == id) running_->cancel = true;
+    released_.push_back(id);
+    changed_.notify_all();
+}
+
+void Conductor::endView(Lock& lock, std::uint64_t id, const Error& error) {
+    const auto found = views_.find(id);
+    if (found == views_.end()) return;
+    const std::shared_ptr<Entry> entry = found->second;
+    views_.erase(found);
+    released_.push_back(id);
+    changed_.notify_all();
+    lock.unlock();
+    entry->callbacks.ended(error);
+    lock.lock();
+}
+
+std::uint64_t Conductor::render(RenderJob job) {
+    model::validate(job.request, settings_.limits);
+    std::lock_guard lock(mutex_);
+    refuseWhenStopping();
+    if (jobs_.size() >= static_cast<std::size_t>(settings_.jobs_max)) {
+        throw Error(Code::kResourceExhausted, "pictures to render: " + std::to_string(jobs_.size()) +
+                                                  " are waiting, which is the limit; try again later");
+    }
+    const std::uint64_t id = ++last_id_;
+    auto progress = std::make_shared<JobProgress>();
+    progress->job = std::move(job);
+    progress->arrival = Clock::now();
+    jobs_.emplace(id, std::move(progress));
+    changed_.notify_all();
+    return id;
+}
+
+void Conductor::cancel(std::uint64_t id) {
+    Lock lock(mutex_);
+    const auto found = jobs_.find(id);
+    if (found == jobs_.end()) return;
+    found->second->cancel = true;
+    // The render thread ends the one that it draws itself.
+    if (running_ && running_->id == id) {
+        running_->cancel = true;
+        return;
+    }
+    const std::shared_ptr<JobProgress> job = found->second;
+    jobs_.erase(found);
+    released_.push_back(id);
+    changed_.notify_all();
+    lock.unlock();
+    job->job.failed(Error(Code::kCancelled, "the picture is not wanted any more"));
+}
+
+void Conductor::post(std::function<void()> task) {
+    std::lock_guard lock(mutex_);
+    refuseWhenStopping();
+    if (tasks_.size() >= static_cast<std::size_t>(settings_.tasks_max)) {
+        throw Error(Code::kResourceExhausted,
+                    "calls to the renderer: " + std::to_string(tasks_.size()) + " are waiting; try again later");
+    }
+    tasks_.push_back(std::move(task));
+    changed_.notify_all();
+}
+
+void Conductor::stop() {
+    Lock lock(mutex_);
+    if (stopping_) return;
+    stopping_ = true;
+    if (running_) running_->cancel = true;
+    const auto views = std::move(views_);
+    const auto jobs = std::move(jobs_);
+    views_.clear();
+    jobs_.clear();
+    for (const auto& [id, entry] : views) released_.push_back(id);
+    const std::uint64_t drawn = running_ ? running_->id : 0;
+    changed_.notify_all();
+    lock.unlock();
+    for (const auto& [id, entry] : views) entry->callbacks.ended(stoppingError());
+    for (const auto& [id, job] : jobs) {
+        if (id != drawn) job->job.failed(stoppingError());
+    }
+}
+
+}  // namespace radiata::session

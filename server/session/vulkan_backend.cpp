@@ -1,0 +1,27 @@
+#include "session/vulkan_backend.h"
+
+#include <map>
+#include <memory>
+
+namespace radiata::session {
+
+Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
+    // Only the render thread touches the targets.
+    const auto targets = std::make_shared<std::map<std::uint64_t, render::Target>>();
+    Backend backend;
+    backend.render = [&renderer, targets](std::uint64_t view, const model::FrameRequest& request, int first_sample, int count,
+                                          const model::Outputs& outputs, const std::atomic<bool>* cancel) {
+        return renderer.render((*targets)[view], request, first_sample, count, outputs, cancel);
+    };
+    backend.release = [targets](std::uint64_t view) { targets->erase(view); };
+    backend.fit_camera = [&renderer](const std::string& id, const model::VoxelSelection& selection,
+                                     model::Convention convention,
+                                     double aspect) { return renderer.fitCamera(id, selection, convention, aspect); };
+    backend.list = [&store] { return store.list(); };
+    backend.info = [&store](const std::string& id) { return store.info(id); };
+    backend.device = renderer.deviceName();
+    backend.traversals = renderer.traversals();
+    return backend;
+}
+
+}  // namespace radiata::session
