@@ -1,0 +1,123 @@
+// radiata-phantom: writes a brain-like test image of any size, made from a seed, as a FOD image that every reader of this field
+// understands (NIfTI, tournier07 in world axes, as MRtrix3 writes it), with its bundles' ids as labels and names.
+#include <cstdio>
+#include <exception>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <string_view>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "build/phantom.h"
+#include "io/nifti_write.h"
+#include "math/sh_convention.h"
+
+namespace {
+
+using radiata::Code;
+using radiata::Error;
+using radiata::Phantom;
+
+struct Files {
+    std::filesystem::path image, labels, bundles;
+};
+
+/// All voxels of the grid, zero where there is no glyph.
+radiata::io::Volume imageVolume(const radiata::model::ShImage& image) {
+    radiata::io::Volume volume;
+    const std::size_t count = image.layout.count();
+    volume.size = {image.size.x, image.size.y, image.size.z, static_cast<std::int64_t>(count)};
+    volume.voxel_to_world = image.voxel_to_world;
+    volume.source = image.source;
+    const std::size_t voxels = static_cast<std::size_t>(image.size.x) * image.size.y * image.size.z;
+    volume.data.assign(voxels * count, 0.0F);
+    radiata::parallelFor(image.voxels.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        std::vector<float> coefficients(count);
+        for (std::size_t v = begin; v < end; ++v) {
+            coefficients.assign(image.coefficients.begin() + v * count, image.coefficients.begin() + (v + 1) * count);
+            radiata::convertSh(coefficients, image.layout, radiata::ShConvention::kDescoteaux07,
+                               radiata::ShConvention::kTournier07);
+            const glm::ivec3& p = image.voxels[v];
+            const std::size_t at = (static_cast<std::size_t>(p.z) * image.size.y + p.y) * image.size.x + p.x;
+            for (std::size_t c = 0; c < count; ++c) volume.data[c * voxels + at] = coefficients[c];
+        }
+    });
+    return volume;
+}
+
+radiata::io::Volume labelVolume(const Phantom& phantom) {
+    const radiata::PhantomGrid& grid = phantom.grid();
+    const std::vector<std::uint8_t> labels = phantom.labels();
+    radiata::io::Volume volume;
+    volume.size = {grid.size.x, grid.size.y, grid.size.z, 1};
+    volume.voxel_to_world = grid.voxel_to_world;
+    volume.source = "labels";
+    volume.data.assign(labels.begin(), labels.end());
+    return volume;
+}
+
+void writeBundles(const Phantom& phantom, const std::filesystem::path& path) {
+    nlohmann::ordered_json list = nlohmann::ordered_json::array();
+    for (const radiata::phantom::Bundle& bundle : phantom.field().bundles()) {
+        list.push_back({{"id", bundle.id}, {"name", bundle.name}, {"centre_lines", bundle.strands.size()}});
+    }
+    std::ofstream file(path);
+    file << nlohmann::ordered_json{{"seed", phantom.options().seed}, {"bundles", list}}.dump(2) << '\n';
+    if (!file.flush()) throw Error(Code::kUnavailable, path.string() + ": cannot be written");
+}
+
+/// Said before the work is done, not after.
+void checkNiftiName(const std::filesystem::path& path) {
+    const std::string name = path.filename().string();
+    if (!name.ends_with(".nii") && !name.ends_with(".nii.gz")) {
+        throw Error(Code::kInvalidArgument, path.string() + ": the name would have to end in .nii or .nii.gz");
+    }
+    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path())) {
+        throw Error(Code::kNotFound, path.string() + ": there is no folder " + path.parent_path().string());
+    }
+}
+
+void make(const radiata::PhantomOptions& options, const Files& files) {
+    checkNiftiName(files.image);
+    if (!files.labels.empty()) checkNiftiName(files.labels);
+    const Phantom phantom(options);
+    const radiata::model::ShImage image = phantom.shImage();
+    radiata::io::writeNifti(imageVolume(image), files.image);
+    if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
+    if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
+    std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",
+                files.image.c_str(), image.size.x, image.size.y, image.size.z, image.voxel_to_world[0][0], image.voxels.size(),
+                image.layout.lmax, static_cast<unsigned long long>(options.seed));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app("Makes a brain-like test image of known fibre bundles from a seed.", "radiata-phantom");
+    radiata::PhantomOptions options;
+    Files files;
+    app.add_option("output", files.image, "FOD image to write, .nii or .nii.gz")->required();
+    app.add_option("--seed", options.seed, "same seed, same bytes")->capture_default_str()->check(CLI::NonNegativeNumber);
+    auto* size = app.add_option("--size", options.size, "voxels along the longest axis")->capture_default_str();
+    auto* voxel = app.add_option("--voxel", options.voxel_mm, "edge of a voxel in mm, instead of --size")->excludes(size);
+    app.add_option("--slice-dense", options.slice_glyphs, "one axial slice with at least so many glyphs")
+        ->check(CLI::Range(1, 1000000))
+        ->excludes(size)
+        ->excludes(voxel);
+    app.add_option("--lmax", options.lmax, "highest band, even, 0 to 16")->capture_default_str();
+    app.add_option("--noise", options.noise, "standard deviation added to each coefficient")->capture_default_str();
+    app.add_option("--labels", files.labels, "write the id of each voxel's strongest bundle, .nii or .nii.gz");
+    app.add_option("--bundles", files.bundles, "write ids and names of the bundles as JSON");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        make(options, files);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "radiata-phantom: %s\n", error.what());
+        return 1;
+    }
+    return 0;
+}
