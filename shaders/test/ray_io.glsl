@@ -1,0 +1,24 @@
+// Rays against one glyph, and what a solver says; seen by GLSL and C++.
+#ifndef RADIATA_TEST_RAY_IO
+#define RADIATA_TEST_RAY_IO
+#include "shaders/shared/interop.glsl"
+SHADER_NAMESPACE_BEGIN
+
+struct RayInput {
+    vec3 origin;  // relative to the glyph's centre
+    float t_min;
+    vec3 direction;
+    uint both_lobes;
+};
+STATIC_SIZE(RayInput, 32);
+
+struct RayOutput {
+    float t;
+    float amplitude;  // 0: no hit
+    uint steps;
+    uint count;  // of all hits, where the solver tells
+};
+STATIC_SIZE(RayOutput, 16);
+
+SHADER_NAMESPACE_END
+#endif
