@@ -23,8 +23,8 @@ constexpr double kSliceHeightMm = 32;    // through the crossings of the centrum
 constexpr double kIsotropicGrey = 0.12;  // fractions of the volume
 constexpr double kIsotropicWhite = 0.06;
 constexpr double kIsotropicFluid = 0.02;
-constexpr double kRadialCortex = 0.25;
-constexpr double kRadialWhite = 0.12;  // where no named bundle runs
+constexpr double kRadialCortex = 0.3;
+constexpr double kRadialWhite = 0.3;  // where no named bundle runs
 constexpr double kLabelFraction = 0.1;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& value, const std::string& right) {

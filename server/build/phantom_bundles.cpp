@@ -52,19 +52,19 @@ std::vector<Course> corticospinal() {
         const double angle = glm::mix(80.0, 22.0, spread) * std::numbers::pi / 180;
         const glm::dvec3 cortex(6 + 52 * std::cos(angle), -24 + 14 * spread, 14 + 58 * std::sin(angle));
         const double ahead = 5 * (spread - 0.5);  // order of the fibres in the internal capsule: face in front
-        courses.push_back({{{7, -30 + 0.3 * ahead, -62}, 5},
-                           {{8, -27 + 0.3 * ahead, -38}, 5},
-                           {{14, -21 + 0.5 * ahead, -14}, 4.5},
-                           {{23, -16 + ahead, 5}, 4},
-                           {{28, -17 + ahead, 20}, 4},
-                           {{29 + 4 * (spread - 0.4), -18 + ahead, 34}, 4.5},
-                           {glm::mix(glm::dvec3(30, -18, 38), cortex, 0.5), 4.5},
-                           {cortex, 5}});
+        courses.push_back({{{7, -30 + 0.3 * ahead, -62}, 6},
+                           {{8, -27 + 0.3 * ahead, -38}, 6},
+                           {{14, -21 + 0.5 * ahead, -14}, 6},
+                           {{23, -16 + ahead, 5}, 6},
+                           {{28, -17 + ahead, 20}, 6},
+                           {{29 + 4 * (spread - 0.4), -18 + ahead, 34}, 6.5},
+                           {glm::mix(glm::dvec3(30, -18, 38), cortex, 0.5), 7},
+                           {cortex, 8}});
     }
     return courses;
 }
 
-/// From one cortex to the other, front (genu) to back (splenium), to the top and to the side of the hemispheres.
+/// From one cortex to the other, front (genu) to back (splenium), fanning from the side of the hemispheres to their top.
 std::vector<Course> callosum() {
     std::vector<Course> courses;
     constexpr int kRows = 22;
@@ -76,15 +76,12 @@ std::vector<Course> callosum() {
         const glm::dvec3 semiovale(28, middle.y - 18 * bend - 9 * (1 - u * u), 32 - 16 * u * u);
         const glm::dvec3 top(22 - 8 * u * u, middle.y - 28 * bend - 4, 66 - 38 * u * u);
         const glm::dvec3 side(50 - 16 * u * u, middle.y - 26 * bend - 9 * (1 - u * u), 38 - 20 * u * u);
-        for (const bool upward : {false, true}) {
-            Course half{{middle, 3.5}, {shoulder, 3.5}};
-            if (upward) {
-                half.push_back({0.5 * (shoulder + top) + glm::dvec3(4, 0, 0), 4});
-                half.push_back({top, 5});
-            } else {
-                half.push_back({semiovale, 4});
-                half.push_back({side, 5});
-            }
+        for (const double fan : {0.0, 0.4, 0.75, 1.0}) {  // end to the side ... to the top
+            const glm::dvec3 through = glm::mix(semiovale, 0.5 * (shoulder + top) + glm::dvec3(4, 0, 0), fan);
+            const glm::dvec3 arc = glm::mix(side, top, fan);
+            const double bulge =
+                9 * std::sin(std::numbers::pi * fan) * (1 - 0.5 * u * u);  // ends lie on an arc, not on its chord
+            const Course half{{middle, 4.5}, {shoulder, 4.5}, {through, 6.5}, {arc + bulge * glm::dvec3(0.8, 0, 0.6), 9}};
             Course whole;
             for (std::size_t i = half.size() - 1; i > 0; --i) {
                 whole.push_back({half[i].p_mm * glm::dvec3(-1, 1, 1), half[i].radius_mm});
@@ -101,15 +98,15 @@ std::vector<Course> arcuate() {
     std::vector<Course> courses;
     for (int i = 0; i < 5; ++i) {
         const double s = (i - 2) / 2.0;
-        courses.push_back({{{52 + s, -6 + 8 * s, -14 - 3 * s}, 4},
-                           {{48 + s, -32 + 4 * s, -4}, 4.5},
-                           {{42 + 2 * s, -50 + 2 * s, 10}, 5},
-                           {{36 + 2 * s, -46 + 3 * s, 27 - s}, 5},
-                           {{31 + 2 * s, -30, 32 + s}, 5},
-                           {{30 + 2 * s, -18, 32 + 2 * s}, 5},
-                           {{32 + 2 * s, -4, 31 + 2 * s}, 5},
-                           {{40 + 2 * s, 18, 24 + 4 * s}, 4.5},
-                           {{47 + s, 28 - 2 * s, 14 + 6 * s}, 4}});
+        courses.push_back({{{52 + s, -6 + 8 * s, -14 - 3 * s}, 7},
+                           {{48 + s, -32 + 4 * s, -4}, 7},
+                           {{42 + 2 * s, -50 + 2 * s, 10}, 7},
+                           {{36 + 2 * s, -46 + 3 * s, 27 - s}, 7},
+                           {{31 + 2 * s, -30, 32 + s}, 7},
+                           {{30 + 2 * s, -18, 32 + 2 * s}, 7},
+                           {{32 + 2 * s, -4, 31 + 2 * s}, 7},
+                           {{40 + 2 * s, 18, 24 + 4 * s}, 7},
+                           {{47 + s, 28 - 2 * s, 14 + 6 * s}, 7}});
     }
     return courses;
 }
@@ -119,15 +116,15 @@ std::vector<Course> cingulum() {
     std::vector<Course> courses;
     for (int i = 0; i < 2; ++i) {
         const double s = i - 0.5;
-        courses.push_back({{{8, 38, -6 - 3 * s}, 3.5},
-                           {{8.5, 42 + 3 * s, 8}, 3.5},
-                           {{8.5, 32 + 2 * s, 24 + 2 * s}, 3.5},
-                           {{8.5, 6, 36 + 3 * s}, 3.5},
-                           {{9, -22, 36 + 3 * s}, 3.5},
-                           {{10, -46 - 2 * s, 27 + 2 * s}, 3.5},
-                           {{14, -54 - 2 * s, 10}, 3.5},
-                           {{21, -42, -6 - s}, 3.5},
-                           {{26, -20, -18 - s}, 4}});
+        courses.push_back({{{9, 38, -6 - 3 * s}, 5},
+                           {{9.5, 42 + 3 * s, 8}, 5},
+                           {{9.5, 32 + 2 * s, 24 + 2 * s}, 5},
+                           {{9.5, 6, 36 + 3 * s}, 5},
+                           {{9.5, -22, 36 + 3 * s}, 5},
+                           {{10, -46 - 2 * s, 27 + 2 * s}, 5},
+                           {{14, -54 - 2 * s, 10}, 5},
+                           {{21, -42, -6 - s}, 5},
+                           {{26, -20, -18 - s}, 5}});
     }
     return courses;
 }
