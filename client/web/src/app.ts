@@ -47,7 +47,7 @@ export class App {
     private readonly status: StatusLine,
     canvas: HTMLCanvasElement,
   ) {
-    this.screen = new Screen(canvas, () => this.connection.change(this.pixels()));
+    this.screen = new Screen(canvas, () => this.connection.change({ ...this.pixels(), clientTimeMs: performance.now() }));
     this.controls = new Controls((settings) => void this.choose(settings));
     this.decoder = new Decoder({
       decode: decodeBitmap,

@@ -19,4 +19,6 @@ const status = new StatusLine({
   message: find("message", HTMLElement),
 });
 const app = new App(connectServices(globalThis.location.origin), status, find("picture", HTMLCanvasElement));
+// On a narrow window the controls would hide the picture.
+if (globalThis.innerWidth < 720) find("panel", HTMLDetailsElement).open = false;
 void app.run();
