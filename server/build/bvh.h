@@ -18,7 +18,7 @@ struct Bvh {
 };
 
 /// The hierarchy of `mins.size()` boxes, which may overlap, coincide or be flat. Equal input gives equal bytes, whatever the
-/// number of threads. Boxes in it are the given floats, unrounded. About 1 s per million boxes on one core.
+/// number of threads. Boxes in it are the given floats, unrounded. Measured: 2.2 s for a million boxes on two shared cores.
 /// \param mins, maxs  corners, any one unit and space
 /// \throws Error(kInvalidArgument) naming the box if one is not finite or inside out, or if the counts differ;
 ///         Error(kResourceExhausted) for 2^31 boxes and more

@@ -16,11 +16,13 @@ protected:
         for (const std::string& message : device.takeValidationMessages()) ADD_FAILURE() << message;
     }
 
+public:
     static ComputePipeline squarePipeline(Device& device, std::uint32_t group_size) {
         const shaders::Module& module = shaders::module("test_square");
         return {device, Shader{module.name, module.spirv}, std::span(&group_size, 1)};
     }
 
+protected:
     Device device{DeviceOptions{.validation = true}};
 };
 

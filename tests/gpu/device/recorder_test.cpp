@@ -4,6 +4,7 @@
 #include <array>
 #include <cstring>
 #include <numeric>
+#include <thread>
 #include <vector>
 
 #include "gpu/device/fixture.h"
@@ -123,6 +124,30 @@ TEST_F(RecorderTest, DiscardForgetsWorkOnBuffersThatAreGone) {
     recorder.submitAndWait();
     EXPECT_EQ(kept.as<std::uint32_t>()[0], 5U);
     EXPECT_TRUE(recorder.takeTimings().empty());
+}
+
+TEST_F(RecorderTest, RecordersOfSeveralThreadsShareTheQueue) {
+    constexpr int kThreads = 4;
+    constexpr int kSubmits = 20;
+    std::vector<float> results(kThreads);
+    {
+        std::vector<std::jthread> threads;
+        for (int thread = 0; thread < kThreads; ++thread) {
+            threads.emplace_back([this, thread, &results] {
+                const Buffer buffer(device, 4, Memory::kReadback, "of a thread");
+                const ComputePipeline square = squarePipeline(device, 1);
+                CommandRecorder recorder(device);
+                for (int i = 0; i < kSubmits; ++i) {
+                    buffer.as<float>()[0] = static_cast<float>(thread + 2);
+                    recorder.dispatch(square, "square", 1, 1, 1, SquarePush{buffer.address(), 1});
+                    recorder.dispatch(square, "square", 1, 1, 1, SquarePush{buffer.address(), 1});
+                    recorder.submitAndWait();
+                }
+                results[static_cast<std::size_t>(thread)] = buffer.as<float>()[0];
+            });
+        }
+    }
+    EXPECT_EQ(results, (std::vector<float>{16, 81, 256, 625}));
 }
 
 TEST_F(RecorderTest, EmptySubmitDoesNothing) {
