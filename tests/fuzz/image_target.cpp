@@ -17,18 +17,28 @@
 
 namespace {
 
-std::filesystem::path folder() {
-    static const std::filesystem::path kFolder = [] {
-        std::filesystem::path made = std::filesystem::temp_directory_path() / ("radiata_fuzz_" + std::to_string(::getpid()));
-        std::filesystem::create_directories(made);
-        std::ofstream(made / "data.dat", std::ios::binary) << std::string(4096, '\x3f');
-        std::atexit([] {
-            std::error_code ignored;
-            std::filesystem::remove_all(folder(), ignored);
-        });
-        return made;
-    }();
-    return kFolder;
+/// The folder of this process' input file; removed at exit.
+class Folder {
+public:
+    Folder() : path_(std::filesystem::temp_directory_path() / ("radiata_fuzz_" + std::to_string(::getpid()))) {
+        std::filesystem::create_directories(path_);
+        std::ofstream(path_ / "data.dat", std::ios::binary) << std::string(4096, '\x3f');
+    }
+    ~Folder() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Folder(const Folder&) = delete;
+    Folder& operator=(const Folder&) = delete;
+    const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+const std::filesystem::path& folder() {
+    static const Folder kFolder;
+    return kFolder.path();
 }
 
 void require(bool holds, const char* what) {
