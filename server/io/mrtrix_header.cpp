@@ -51,8 +51,8 @@ StoredType sampleType(const MrtrixText& text) {
         return {type, bitsOf(type) > 8 && big != (std::endian::native == std::endian::big)};
     }
     throw Error(Code::kUnsupported,
-                text.file() + ": datatype is '" + written +
-                    (name.starts_with("cfloat") ? "', complex numbers, which are not read" : "'") +
+                text.file() + ": datatype is " + quoted(written) +
+                    (name.starts_with("cfloat") ? ", complex numbers, which are not read" : "") +
                     "; Bit, Int8, UInt8 and Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 with LE or BE are");
 }
 
@@ -73,8 +73,8 @@ void setLayout(const MrtrixText& text, std::span<const int, 4> axes, std::size_t
     std::vector<std::int64_t> sorted = position;
     std::ranges::sort(sorted);
     if (sorted.front() < 0 || std::ranges::adjacent_find(sorted) != sorted.end()) {
-        throw Error(Code::kCorrupt, text.file() + ": layout is '" + text.only("layout") +
-                                        "'; it must give every axis a place of its own, such as +0,+1,+2,+3");
+        throw Error(Code::kCorrupt, text.file() + ": layout is " + quoted(text.only("layout")) +
+                                        "; it must give every axis a place of its own, such as +0,+1,+2,+3");
     }
     // Axes that the file lacks or that are dropped have length 1; they may stand anywhere, so they go last.
     std::array<std::int64_t, 4> place{};
@@ -131,7 +131,9 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
         offset = text.integer("file", std::string_view(entry).substr(space + 1));
         file = entry.substr(0, entry.find_last_not_of(" \t", space) + 1);
     }
-    if (offset < 0) throw Error(Code::kCorrupt, text.file() + ": the offset in 'file: " + entry + "' must not be negative");
+    if (offset < 0)
+        throw Error(Code::kCorrupt,
+                    text.file() + ": the offset in 'file' is " + std::to_string(offset) + "; it must not be negative");
     image.data_offset = static_cast<std::uint64_t>(offset);
     if (file == ".") {
         if (image.data_offset < text.bytes()) {
@@ -144,18 +146,18 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
     const std::filesystem::path relative(file);
     const bool climbs = std::ranges::any_of(relative, [](const std::filesystem::path& part) { return part == ".."; });
     if (relative.is_absolute() || climbs || file.find('\0') != std::string::npos) {
-        throw Error(Code::kInvalidArgument, text.file() + ": the data file '" + file +
-                                                "' is not inside the header's folder; a relative name without '..' is read");
+        throw Error(Code::kInvalidArgument, text.file() + ": the data file " + quoted(file) +
+                                                " is not inside the header's folder; a relative name without '..' is read");
     }
     std::error_code failure;
     const auto folder = std::filesystem::canonical(header_path.has_parent_path() ? header_path.parent_path() : ".", failure);
     const auto target = failure ? std::filesystem::path() : std::filesystem::canonical(folder / relative, failure);
-    if (failure) {
-        throw Error(Code::kNotFound, text.file() + ": the data file '" + file + "' is not there (" + failure.message() + ")");
+    if (failure || !std::filesystem::is_regular_file(target, failure)) {
+        throw Error(Code::kNotFound, text.file() + ": there is no data file " + quoted(file) + " in the header's folder");
     }
     if (std::ranges::mismatch(folder, target).in1 != folder.end()) {
         throw Error(Code::kInvalidArgument,
-                    text.file() + ": the data file '" + file + "' is a link that leads out of the header's folder");
+                    text.file() + ": the data file " + quoted(file) + " is a link that leads out of the header's folder");
     }
     image.data_path = target;
 }

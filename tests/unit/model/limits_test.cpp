@@ -1,0 +1,134 @@
+// Every field of a request at and beyond the border of what is allowed.
+#include "model/limits.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "base/error.h"
+
+namespace radiata::model {
+namespace {
+
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+
+FrameRequest sound() {
+    FrameRequest request;
+    Layer layer;
+    layer.glyphs.dataset_id = "brain";
+    request.scene.layers = {layer};
+    return request;
+}
+
+GlyphLayer& glyphs(FrameRequest& request) { return request.scene.layers[0].glyphs; }
+
+/// A change that makes a sound request unusable, and the field that the sentence must name.
+struct Case {
+    std::string field;
+    Code code;
+    std::function<void(FrameRequest&)> change;
+};
+
+void expectRefused(const Case& bad) {
+    FrameRequest request = sound();
+    bad.change(request);
+    try {
+        validate(request, Limits{});
+        FAIL() << bad.field << " was accepted";
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), bad.code) << error.what();
+        EXPECT_NE(std::string(error.what()).find(bad.field), std::string::npos) << error.what();
+    }
+}
+
+TEST(Limits, AcceptsTheDefaultsAndTheLargestRequest) {
+    validate(sound(), Limits{});
+    FrameRequest request = sound();
+    request.width = 8192;
+    request.height = 2048;
+    request.quality.samples = 64;
+    request.quality.jpeg_quality = 100;
+    glyphs(request).lmax = 16;
+    glyphs(request).scale.factor = 1e6F;
+    request.scene.layers.assign(8, request.scene.layers[0]);
+    validate(request, Limits{});
+}
+
+TEST(Limits, RefusesPicturesOfTheWrongSize) {
+    const auto size = [](int width, int height) { return [=](FrameRequest& r) { r.width = width, r.height = height; }; };
+    expectRefused({"picture size", Code::kInvalidArgument, size(0, 100)});
+    expectRefused({"picture size", Code::kInvalidArgument, size(100, -1)});
+    expectRefused({"8193x1", Code::kResourceExhausted, size(8193, 1)});
+    expectRefused({"1x8193", Code::kResourceExhausted, size(1, 8193)});
+    expectRefused({"8192x2049", Code::kResourceExhausted, size(8192, 2049)});
+    expectRefused({"picture size", Code::kResourceExhausted, size(2147483647, 2147483647)});
+}
+
+TEST(Limits, RefusesQualityOutOfRange) {
+    for (const int samples : {0, -1, 65, 2147483647}) {
+        expectRefused({"quality.samples", Code::kInvalidArgument, [=](FrameRequest& r) { r.quality.samples = samples; }});
+    }
+    for (const int quality : {0, -5, 101}) {
+        expectRefused({"jpeg_quality", Code::kInvalidArgument, [=](FrameRequest& r) { r.quality.jpeg_quality = quality; }});
+    }
+}
+
+TEST(Limits, RefusesUnusableLayers) {
+    const Code kInvalid = Code::kInvalidArgument;
+    expectRefused({"scene.layers is empty", kInvalid, [](FrameRequest& r) { r.scene.layers.clear(); }});
+    expectRefused({"9 layers", Code::kResourceExhausted, [](FrameRequest& r) { r.scene.layers.resize(9); }});
+    expectRefused({"layers[0].glyphs.dataset_id", kInvalid, [](FrameRequest& r) { glyphs(r).dataset_id.clear(); }});
+    expectRefused({"layers[1]", kInvalid, [](FrameRequest& r) {
+                       r.scene.layers.push_back(r.scene.layers[0]);
+                       r.scene.layers[1].glyphs.lmax = -1;
+                   }});
+    expectRefused({"lmax", kInvalid, [](FrameRequest& r) { glyphs(r).lmax = 17; }});
+    for (const float factor : {0.0F, -1.0F, 2e6F, kNan, kInfinity}) {
+        expectRefused({"scale.factor", kInvalid, [=](FrameRequest& r) { glyphs(r).scale.factor = factor; }});
+    }
+    for (const float opacity : {0.0F, -1.0F, 1.01F, kNan}) {
+        expectRefused({"opacity", kInvalid, [=](FrameRequest& r) { r.scene.layers[0].opacity = opacity; }});
+    }
+}
+
+TEST(Limits, RefusesSelectionsWithoutAPlane) {
+    const auto selection = [](const std::function<void(VoxelSelection&)>& change) {
+        return [=](FrameRequest& r) {
+            glyphs(r).selection.region = Region::kSlab;
+            glyphs(r).selection.thickness_mm = 1;
+            change(glyphs(r).selection);
+        };
+    };
+    const Code kInvalid = Code::kInvalidArgument;
+    expectRefused({"thickness_mm", kInvalid, selection([](VoxelSelection& s) { s.thickness_mm = 0; })});
+    expectRefused({"thickness_mm", kInvalid, selection([](VoxelSelection& s) { s.thickness_mm = std::nan(""); })});
+    expectRefused({"position_mm", kInvalid, selection([](VoxelSelection& s) { s.position_mm = glm::dvec3(0, kNan, 0); })});
+    for (const glm::dvec3& normal : {glm::dvec3(0), glm::dvec3(kNan, 0, 1), glm::dvec3(kInfinity, 0, 0)}) {
+        expectRefused(
+            {"normal", kInvalid, selection([=](VoxelSelection& s) { s.plane = Plane::kOblique, s.normal = normal; })});
+    }
+    FrameRequest request = sound();
+    glyphs(request).selection.normal = glm::dvec3(0);
+    validate(request, Limits{});
+}
+
+TEST(Limits, RefusesUnusableLightAndBackground) {
+    const Code kInvalid = Code::kInvalidArgument;
+    expectRefused({"direction_camera", kInvalid, [](FrameRequest& r) { r.scene.light.direction_camera = glm::dvec3(0); }});
+    expectRefused({"direction_camera", kInvalid, [](FrameRequest& r) { r.scene.light.direction_camera.x = kNan; }});
+    for (const float value : {-1.0F, 101.0F, kNan}) {
+        expectRefused({"irradiance", kInvalid, [=](FrameRequest& r) { r.scene.light.irradiance = value; }});
+        expectRefused({"ambient", kInvalid, [=](FrameRequest& r) { r.scene.light.ambient = value; }});
+        expectRefused({"background", kInvalid, [=](FrameRequest& r) { r.scene.background.y = value; }});
+    }
+}
+
+TEST(Limits, ChecksTheCamera) {
+    expectRefused({"camera: up", Code::kInvalidArgument, [](FrameRequest& r) { r.camera.up = glm::dvec3(0); }});
+}
+
+}  // namespace
+}  // namespace radiata::model
