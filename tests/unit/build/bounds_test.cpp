@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <random>
 
 #include <gtest/gtest.h>
 
 #include "base/error.h"
+#include "build/phantom.h"
+#include "math/sh_convention.h"
+#include "support/npz.h"
 #include "unit/build/sphere_function.h"
 
 namespace radiata {
@@ -83,6 +88,59 @@ TEST(Bounds, HoldTheGlyphAndAreTightForEveryLayout) {
             for (int g = 0; g < kGlyphs; ++g) {
                 const auto c = std::span(coefficients).subspan(g * layout.count(), layout.count());
                 expectBounds(bounds[g], maximiser.extents(c, negative_lobes), negative_lobes ? "shown" : "hidden");
+            }
+        }
+    }
+}
+
+/// Glyphs of a measured brain with extents found by brute force elsewhere; without the folder, glyphs of the test brain whose
+/// extents are found here.
+TEST(Bounds, HoldGlyphsOfABrain) {
+    const char* folder = std::getenv("RADIATA_DATA");
+    for (const int lmax : {4, 8, 12}) {
+        const ShLayout layout{lmax, false};
+        const BoundsEvaluator evaluator(layout);
+        const std::size_t count = layout.count();
+        if (folder == nullptr) {
+            PhantomOptions options;
+            options.slice_glyphs = 100;
+            options.lmax = lmax;
+            const model::ShImage image = phantomShImage(options);
+            const Maximiser maximiser(layout, kSamples);
+            for (std::size_t v = 0; v < image.voxels.size(); v += 4) {
+                const auto c = std::span(image.coefficients).subspan(v * count, count);
+                GlyphBounds bounds;
+                evaluator.evaluate(c, false, {&bounds, 1});
+                expectBounds(bounds, maximiser.extents(c, false), "phantom");
+            }
+            continue;
+        }
+        const testing::NpzFile file(std::filesystem::path(folder) / "refs" /
+                                    ("xa140_fod" + std::to_string(lmax) + "_geometry.npz"));
+        const std::vector<double> written = file.array("coef_mrtrix").values;
+        const std::vector<double> radii = file.array("radius_max").values;
+        std::vector<float> coefficients(written.begin(), written.end());
+        ASSERT_EQ(coefficients.size(), radii.size() * count);
+        for (std::size_t g = 0; g < radii.size(); ++g) {
+            convertSh(std::span(coefficients).subspan(g * count, count), layout, ShConvention::kTournier07,
+                      ShConvention::kDescoteaux07);
+        }
+        for (const bool negative_lobes : {false, true}) {
+            const std::vector<double> boxes = file.array(negative_lobes ? "aabb_abs" : "aabb_pos").values;
+            std::vector<GlyphBounds> bounds(radii.size());
+            evaluator.evaluate(coefficients, negative_lobes, bounds);
+            for (std::size_t g = 0; g < radii.size(); ++g) {
+                const double rounding = 2e-8 * radii[g];  // the references are exact to about that
+                for (std::size_t axis = 0; axis < 3; ++axis) {
+                    const int a = static_cast<int>(axis);
+                    EXPECT_LE(bounds[g].min[a], boxes[g * 6 + axis] + rounding);
+                    EXPECT_GE(bounds[g].max[a], boxes[g * 6 + 3 + axis] - rounding);
+                    EXPECT_LE(bounds[g].max[a], boxes[g * 6 + 3 + axis] * (1 + kLargerAtMost) + 1e-3 * radii[g]);
+                }
+                if (negative_lobes) {
+                    EXPECT_GE(bounds[g].radius, radii[g] - rounding);
+                    EXPECT_LE(bounds[g].radius, radii[g] * (1 + kLargerAtMost));
+                }
             }
         }
     }
