@@ -51,7 +51,7 @@ StoredType sampleType(const MrtrixText& text) {
         return {type, bitsOf(type) > 8 && big != (std::endian::native == std::endian::big)};
     }
     throw Error(Code::kUnsupported,
-                text.file() + ": datatype is " + quoted(written) +
+                text.file() + ": datatype is " + shown(written) +
                     (name.starts_with("cfloat") ? ", complex numbers, which are not read" : "") +
                     "; Bit, Int8, UInt8 and Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 with LE or BE are");
 }
@@ -73,7 +73,7 @@ void setLayout(const MrtrixText& text, std::span<const int, 4> axes, std::size_t
     std::vector<std::int64_t> sorted = position;
     std::ranges::sort(sorted);
     if (sorted.front() < 0 || std::ranges::adjacent_find(sorted) != sorted.end()) {
-        throw Error(Code::kCorrupt, text.file() + ": layout is " + quoted(text.only("layout")) +
+        throw Error(Code::kCorrupt, text.file() + ": layout is " + shown(text.only("layout")) +
                                         "; it must give every axis a place of its own, such as +0,+1,+2,+3");
     }
     // Axes that the file lacks or that are dropped have length 1; they may stand anywhere, so they go last.
@@ -146,18 +146,18 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
     const std::filesystem::path relative(file);
     const bool climbs = std::ranges::any_of(relative, [](const std::filesystem::path& part) { return part == ".."; });
     if (relative.is_absolute() || climbs || file.find('\0') != std::string::npos) {
-        throw Error(Code::kInvalidArgument, text.file() + ": the data file " + quoted(file) +
+        throw Error(Code::kInvalidArgument, text.file() + ": the data file " + shown(file) +
                                                 " is not inside the header's folder; a relative name without '..' is read");
     }
     std::error_code failure;
     const auto folder = std::filesystem::canonical(header_path.has_parent_path() ? header_path.parent_path() : ".", failure);
     const auto target = failure ? std::filesystem::path() : std::filesystem::canonical(folder / relative, failure);
     if (failure || !std::filesystem::is_regular_file(target, failure)) {
-        throw Error(Code::kNotFound, text.file() + ": there is no data file " + quoted(file) + " in the header's folder");
+        throw Error(Code::kNotFound, text.file() + ": there is no data file " + shown(file) + " in the header's folder");
     }
     if (std::ranges::mismatch(folder, target).in1 != folder.end()) {
         throw Error(Code::kInvalidArgument,
-                    text.file() + ": the data file " + quoted(file) + " is a link that leads out of the header's folder");
+                    text.file() + ": the data file " + shown(file) + " is a link that leads out of the header's folder");
     }
     image.data_path = target;
 }
@@ -183,17 +183,17 @@ StoredImage readMrtrixHeader(const std::filesystem::path& path) {
     image.swapped = stored.swapped;
     if (text.has("scaling")) {
         const std::vector<double> scaling = text.numbers("scaling");
-        if (scaling.size() != 2 || !std::isfinite(scaling[0]) || !std::isfinite(scaling[1])) {
-            throw Error(Code::kCorrupt,
-                        file + ": scaling is '" + text.only("scaling") + "'; it must be two finite numbers, offset and scale");
-        }
-        image.intercept = scaling[0];
-        image.slope = scaling[1];
+                        file + ": scaling is " + shown(text.only("scaling")) + "; it must be two finite numbers, offset and scale");
+                        throw Error(Code::kCorrupt, file + ": scaling is '" + text.only("scaling") +
+                                                        "'; it must be two finite numbers, offset and scale");
     }
-    image.voxel_to_world = affine(text, image, dim.size());
-    checkAffine(image.voxel_to_world, file);
-    setData(text, path, image);
-    return image;
+    image.intercept = scaling[0];
+    image.slope = scaling[1];
+}
+image.voxel_to_world = affine(text, image, dim.size());
+checkAffine(image.voxel_to_world, file);
+setData(text, path, image);
+return image;
 }
 
 }  // namespace radiata::io

@@ -31,7 +31,7 @@ std::size_t behindEnd(std::string_view text, std::size_t from) {
 
 }  // namespace
 
-std::string quoted(std::string_view text) {
+std::string shown(std::string_view text) {
     constexpr std::size_t kMost = 60;
     std::string line(text.substr(0, kMost));
     std::ranges::replace_if(
@@ -62,7 +62,7 @@ MrtrixText::MrtrixText(const std::filesystem::path& path) {
         const std::size_t got = source.read(std::as_writable_bytes(std::span(text)).subspan(before));
         text.resize(before + got);
         if (!text.starts_with("mrtrix image")) {
-            throw Error(Code::kCorrupt, file_ + ": the first line is " + quoted(text.substr(0, text.find('\n'))) +
+            throw Error(Code::kCorrupt, file_ + ": the first line is " + shown(text.substr(0, text.find('\n'))) +
                                             "; an MRtrix image begins with 'mrtrix image'");
         }
         // Look again at the last bytes of the block before: END may stand across the border.
@@ -91,7 +91,7 @@ void MrtrixText::parse(std::string_view text) {
         const std::size_t colon = line.find(':');
         if (colon == std::string_view::npos || colon == 0) {
             throw Error(Code::kCorrupt,
-                        file_ + ": line " + std::to_string(number) + " is " + quoted(line) + "; it must be 'key: value'");
+                        file_ + ": line " + std::to_string(number) + " is " + shown(line) + "; it must be 'key: value'");
         }
         std::string key(trimmed(line.substr(0, colon)));
         std::ranges::transform(key, key.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
@@ -119,7 +119,7 @@ std::vector<double> MrtrixText::numbers(const std::string& key) const {
             double value = 0;
             const auto [end, status] = std::from_chars(part.data(), part.data() + part.size(), value);
             if (status != std::errc() || end != part.data() + part.size()) {
-                throw Error(Code::kCorrupt, file_ + ": " + key + " has " + quoted(part) + "; it must be a number");
+                throw Error(Code::kCorrupt, file_ + ": " + key + " has " + shown(part) + "; it must be a number");
             }
             result.push_back(value);
         }
@@ -131,7 +131,7 @@ std::int64_t MrtrixText::integer(const std::string& key, std::string_view text) 
     std::int64_t value = 0;
     const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (status != std::errc() || end != text.data() + text.size()) {
-        throw Error(Code::kCorrupt, file_ + ": " + key + " has " + quoted(text) + "; it must be a whole number of 64 bits");
+        throw Error(Code::kCorrupt, file_ + ": " + key + " has " + shown(text) + "; it must be a whole number of 64 bits");
     }
     return value;
 }

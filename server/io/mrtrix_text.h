@@ -14,7 +14,7 @@ namespace radiata::io {
 std::vector<std::string_view> splitList(std::string_view list);
 
 /// Text of a file for a message: in quotes, printable, at most 60 characters.
-std::string quoted(std::string_view text);
+std::string shown(std::string_view text);
 
 class MrtrixText {
 public:
