@@ -183,17 +183,17 @@ StoredImage readMrtrixHeader(const std::filesystem::path& path) {
     image.swapped = stored.swapped;
     if (text.has("scaling")) {
         const std::vector<double> scaling = text.numbers("scaling");
-                        file + ": scaling is " + shown(text.only("scaling")) + "; it must be two finite numbers, offset and scale");
-                        throw Error(Code::kCorrupt, file + ": scaling is '" + text.only("scaling") +
-                                                        "'; it must be two finite numbers, offset and scale");
+        if (scaling.size() != 2 || !std::isfinite(scaling[0]) || !std::isfinite(scaling[1])) {
+            throw Error(Code::kCorrupt, file + ": scaling is " + shown(text.only("scaling")) +
+                                            "; it must be two finite numbers, offset and scale");
+        }
+        image.intercept = scaling[0];
+        image.slope = scaling[1];
     }
-    image.intercept = scaling[0];
-    image.slope = scaling[1];
-}
-image.voxel_to_world = affine(text, image, dim.size());
-checkAffine(image.voxel_to_world, file);
-setData(text, path, image);
-return image;
+    image.voxel_to_world = affine(text, image, dim.size());
+    checkAffine(image.voxel_to_world, file);
+    setData(text, path, image);
+    return image;
 }
 
 }  // namespace radiata::io
