@@ -7,9 +7,9 @@
 #include "radiata/v1/limits.grpc.pb.h"
 
 #include "cli/commands.h"
-#include "cli/output_file.h"
 #include "common/enum_words.h"
 #include "common/message_json.h"
+#include "common/output_file.h"
 #include "common/table.h"
 
 namespace radiata::client {

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "cli/commands.h"
-#include "cli/output_file.h"
 #include "cli/pictures.h"
 #include "cli/progress.h"
 #include "common/camera_json.h"
 #include "common/camera_orbit.h"
 #include "common/client_error.h"
+#include "common/output_file.h"
 #include "common/request_options.h"
 #include "common/table.h"
 

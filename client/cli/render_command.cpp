@@ -6,10 +6,10 @@
 
 #include "cli/commands.h"
 #include "cli/npy.h"
-#include "cli/output_file.h"
 #include "cli/pictures.h"
 #include "common/client_error.h"
 #include "common/message_json.h"
+#include "common/output_file.h"
 #include "common/request_options.h"
 
 namespace radiata::client {

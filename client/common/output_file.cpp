@@ -1,4 +1,4 @@
-#include "cli/output_file.h"
+#include "common/output_file.h"
 
 #include <cerrno>
 #include <cstdio>
