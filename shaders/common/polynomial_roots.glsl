@@ -1,11 +1,12 @@
 // Real roots of a polynomial in an interval by bracketed Newton bisection: between two roots of its derivative a polynomial is
 // monotonic, so the roots of all derivatives are found in turn, from the quadratic one upwards.
 // Source: Yuksel 2022, High-performance polynomial root finding for graphics, as used by Peters et al. 2023, Sec. 3.5.
-// Needs POLYNOMIAL_DEGREE and
+// Needs POLYNOMIAL_DEGREE and POLYNOMIAL_EACH_DERIVATIVE (generate/polynomial.py), and
 //   const bool kPolynomialStopOnBracket;  (a specialisation constant) how an iteration ends:
 //     false: when two iterates are closer than the tolerance, 2e-4 of the search interval's half (the paper's rule)
 //     true:  when the bracket is narrower than 1e-6 max(1, |u|); steps that do not halve their predecessor give way to bisection
-// The loops over degrees are unrolled, so that coefficients are registers; the loops over intervals are not.
+// The loop over derivatives is written out, so that coefficients are registers (3 times faster on a CPU driver, which does not unroll
+// it by itself); the loops over intervals are not (as fast, and compiles 20 times faster).
 #ifndef RADIATA_COMMON_POLYNOMIAL_ROOTS
 #define RADIATA_COMMON_POLYNOMIAL_ROOTS
 #extension GL_EXT_control_flow_attributes : require
@@ -54,10 +55,33 @@ float polynomialBracketedRoot(const float c[POLYNOMIAL_DEGREE + 1], int degree, 
     return u;
 }
 
+// From the roots of one derivative to those of the next lower one, of the given degree. Derivatives are divided by the factorials of
+// their orders, so that each has a coefficient of f as its constant term.
+void polynomialDerivativeRoots(const float f[POLYNOMIAL_DEGREE + 1], int degree, float first, float last, float tolerance,
+                               inout float c[POLYNOMIAL_DEGREE + 1], inout float roots[POLYNOMIAL_DEGREE], inout int count,
+                               inout uint steps) {
+    const float order = float(POLYNOMIAL_DEGREE + 1 - degree);
+    [[unroll]] for (int i = degree; i > 0; --i) c[i] = c[i - 1] * (order / float(i));
+    c[0] = f[POLYNOMIAL_DEGREE - degree];
+    int found = 0;
+    float low = first;
+    bool low_positive = polynomialValue(c, degree, first) > 0.0;
+    for (int i = 0; i <= count; ++i) {
+        const float high = i < count ? roots[i] : last;
+        const bool high_positive = polynomialValue(c, degree, high) > 0.0;
+        if (high_positive != low_positive) {
+            // found <= i: what is overwritten has been read.
+            roots[found++] = polynomialBracketedRoot(c, degree, low, high, low_positive, tolerance, steps);
+        }
+        low = high;
+        low_positive = high_positive;
+    }
+    count = found;
+}
+
 // Roots of the first derivative in (first, last), ascending. \return their number
 int polynomialExtrema(const float f[POLYNOMIAL_DEGREE + 1], float first, float last, float tolerance,
                       out float roots[POLYNOMIAL_DEGREE], inout uint steps) {
-    // Derivatives are divided by the factorials of their orders, so that each has a coefficient of f as its constant term.
     float c[POLYNOMIAL_DEGREE + 1];
     c[0] = f[POLYNOMIAL_DEGREE - 2];
     c[1] = float(POLYNOMIAL_DEGREE - 1) * f[POLYNOMIAL_DEGREE - 1];
@@ -71,25 +95,8 @@ int polynomialExtrema(const float f[POLYNOMIAL_DEGREE + 1], float first, float l
         if (lower > first && lower < last) roots[count++] = lower;
         if (upper > first && upper < last) roots[count++] = upper;
     }
-    [[unroll]] for (int degree = 3; degree < POLYNOMIAL_DEGREE; ++degree) {
-        const float order = float(POLYNOMIAL_DEGREE + 1 - degree);
-        [[unroll]] for (int i = degree; i > 0; --i) c[i] = c[i - 1] * (order / float(i));
-        c[0] = f[POLYNOMIAL_DEGREE - degree];
-        int found = 0;
-        float low = first;
-        bool low_positive = polynomialValue(c, degree, first) > 0.0;
-        for (int i = 0; i <= count; ++i) {
-            const float high = i < count ? roots[i] : last;
-            const bool high_positive = polynomialValue(c, degree, high) > 0.0;
-            if (high_positive != low_positive) {
-                // found <= i: what is overwritten has been read.
-                roots[found++] = polynomialBracketedRoot(c, degree, low, high, low_positive, tolerance, steps);
-            }
-            low = high;
-            low_positive = high_positive;
-        }
-        count = found;
-    }
+#define POLYNOMIAL_DERIVATIVE(degree) polynomialDerivativeRoots(f, degree, first, last, tolerance, c, roots, count, steps);
+    POLYNOMIAL_EACH_DERIVATIVE(POLYNOMIAL_DERIVATIVE)
     return count;
 }
 

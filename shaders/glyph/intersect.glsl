@@ -1,0 +1,77 @@
+// The nearest hit of a pixel's ray so far, and the test of one more glyph against it.
+// METHOD_POLYNOMIAL selects the solver of Peters et al. 2023 in place of the march.
+
+PixelRay ray;
+vec3 ray_inverse;
+float best_t;
+uint best_instance;
+vec3 best_direction;  // from the glyph's centre to the hit
+uint total_steps = 0u;
+uint capped_rays = 0u;
+
+// a cos(h (theta)) with theta = phi - offset, so the coefficient pair turns by +offset; see poleCircleShift.
+void instanceCircle(FrameParams frame, GlyphLayerParams layer, uint index, GlyphInstance instance, vec3 centre, RayPlane plane,
+                    out vec2 F[CIRCLE_HARMONICS + 1]) {
+    if (kPoleTable) {
+        const PoleCircle circle = poleCircle(poleAxis(frame.rays, centre), ray.direction, plane.e);
+        FloatBuffer table = FloatBuffer(layer.tables + uint64_t(index) * uint64_t(POLE_TABLE_COUNT * 4));
+        const float ca = circle.azimuth.x, sa = circle.azimuth.y;
+#define TABLE_ENTRY(i) table.at[i]
+        POLE_TABLE_FOURIER(TABLE_ENTRY, ca, sa, F)
+        poleCircleShift(F, circle.offset);
+    } else {
+        loadCoefficients(layer.coefficients, layer.stride, instance.slot);
+        vec2 samples[CIRCLE_SAMPLES];
+        for (int l = 0; l < CIRCLE_SAMPLES; ++l) {
+            samples[l] = shEvaluate(glyph_coefficients, kCircleSin[l] * plane.e - kCircleCos[l] * ray.direction);
+        }
+        circleFourier(samples, F);
+    }
+}
+
+#ifdef METHOD_POLYNOMIAL
+float shEvaluate(vec3 direction) { return shEvaluate(glyph_coefficients, direction).x; }
+#include "polynomial.glsl"
+#include "shaders/common/polynomial_hit.glsl"
+
+void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, GlyphInstance instance, vec3 centre) {
+    loadCoefficients(layer.coefficients, layer.stride, instance.slot);
+    const float unit = 1.0 / instance.scale;
+    const vec3 origin = (ray.origin - centre) * unit;
+    const GlyphHit hit = polynomialFirstHit(origin, ray.direction, ray.near * unit, kBothLobes);
+    total_steps += hit.steps;
+    const float t = hit.t * instance.scale;
+    if (hit.amplitude != 0.0 && (t < best_t || (t == best_t && index < best_instance))) {
+        best_t = t;
+        best_instance = index;
+        best_direction = normalize(origin + hit.t * ray.direction);
+    }
+}
+#else
+void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, GlyphInstance instance, vec3 centre) {
+    const float unit = 1.0 / instance.scale;
+    const RayPlane plane = rayPlane((ray.origin - centre) * unit, ray.direction);
+    const float radius = instance.radius * unit;
+    if (plane.h >= radius) return;
+    vec2 F[CIRCLE_HARMONICS + 1];
+    instanceCircle(frame, layer, index, instance, centre, plane, F);
+    const vec2 start = normalize(vec2(plane.closest - ray.near * unit, max(plane.h, 1e-30)));
+    const CircleHit hit = circleMarch(F, plane.h, radius, start, kBothLobes);
+    total_steps += hit.steps;
+    capped_rays += hit.capped ? 1u : 0u;
+    const float t = circleHitParameter(hit, plane.h, plane.closest) * instance.scale;
+    if (hit.value != 0.0 && (t < best_t || (t == best_t && index < best_instance))) {
+        best_t = t;
+        best_instance = index;
+        best_direction = hit.angle.y * plane.e - hit.angle.x * ray.direction;
+    }
+}
+#endif
+
+// Box first, glyph after. \return whether the box was entered before the nearest hit
+bool visitInstance(FrameParams frame, GlyphLayerParams layer, uint index) {
+    const GlyphInstance instance = InstanceBuffer(layer.instances).at[index];
+    const vec3 centre = instanceCentre(frame.rays, instance);
+    const vec2 span = boxSpan(ray.origin - centre, ray_inverse, instance.box_min, instance.box_max);
+    return span.x <= span.y && span.x < best_t && span.y >= ray.near;
+}
