@@ -73,7 +73,7 @@ export class App {
     listenToKeys(moves);
     expose({
       camera: () => cameraJson(this.camera),
-      shownCamera: () => cameraJson(this.cameras.get(BigInt(this.shown?.cameraSequence ?? 0)) ?? null),
+      shownCamera: () => cameraJson(this.cameras.get(BigInt(this.shown?.cameraSequence ?? 0))),
       request: () => requestJson(this.echoed),
       lastFrame: () => this.shown,
       connection: () => this.connectionState,

@@ -1,7 +1,6 @@
 // A read-only look into the page for its tests and for curious people: `window.radiata`. Nothing of the page depends on it.
 import { toJson } from "@bufbuild/protobuf";
-import { type Camera, toMessage } from "./camera/camera";
-import { CameraSchema } from "./generated/radiata/v1/camera_pb";
+import { type Camera } from "./camera/camera";
 import { type Frame, FrameRequestSchema } from "./generated/radiata/v1/frame_pb";
 import { kStateNames } from "./status/line";
 
@@ -18,9 +17,9 @@ export interface ShownFrame {
 }
 
 export interface DebugHook {
-  /** The camera the page has asked for last, as proto JSON (radiata.v1.Camera). */
+  /** The camera the page has asked for last, in the format of the camera files that the other clients read. */
   camera: () => unknown;
-  /** The camera of the newest change that the frame on the screen answers, as proto JSON. */
+  /** The camera that the frame on the screen shows. */
   shownCamera: () => unknown;
   /** The newest request echoed by the server, as proto JSON (radiata.v1.FrameRequest). */
   request: () => unknown;
@@ -28,7 +27,16 @@ export interface DebugHook {
   connection: () => string;
 }
 
-export const cameraJson = (camera: Camera | null): unknown => (camera ? toJson(CameraSchema, toMessage(camera)) : null);
+export function cameraJson(camera: Camera | null | undefined): unknown {
+  if (!camera) return null;
+  return {
+    eye_mm: camera.eyeMm,
+    target_mm: camera.targetMm,
+    up: camera.up,
+    ...(camera.lens.kind === "perspective" ? { field_of_view_deg: camera.lens.fieldOfViewDeg } : { height_mm: camera.lens.heightMm }),
+    ...(camera.clip && { clip: { nearest_mm: camera.clip.nearestMm, farthest_mm: camera.clip.farthestMm } }),
+  };
+}
 
 export const requestJson = (frame: Frame | null): unknown => (frame?.request ? toJson(FrameRequestSchema, frame.request) : null);
 

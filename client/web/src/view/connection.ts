@@ -31,6 +31,9 @@ const kOpenTimeoutMs = 60_000;
 
 export class Connection {
   private updates: Updates | null = null;
+  /** What changed after the request was made and before the view was open. */
+  private missed: Change | null = null;
+  private waitsForChange = false;
   private attempt = new AbortController();
   private wake: () => void = () => {};
   private closed = false;
@@ -44,10 +47,14 @@ export class Connection {
     globalThis.addEventListener?.("online", () => this.wake());
   }
 
-  /** Sends a change of the open view; without one it is remembered by `request` and this only ends the wait after a refusal. */
+  /** Sends a change of the view; while there is none it is kept until one is open, and ends the wait after a refusal. */
   change(change: Change): void {
-    if (this.updates) this.updates.push(change);
-    else this.wake();
+    if (this.updates) {
+      this.updates.push(change);
+      return;
+    }
+    this.missed = { ...this.missed, ...change };
+    if (this.waitsForChange) this.wake();
   }
 
   close(): void {
@@ -71,7 +78,9 @@ export class Connection {
         const again = passes(error);
         this.options.state(again ? "reconnecting" : "refused", sentence(error));
         // After a refusal the same request would be refused again: wait for a change, or for a restarted server.
+        this.waitsForChange = !again;
         await this.pause(again ? this.backoff.next() : 30_000);
+        this.waitsForChange = false;
       }
     }
   }
@@ -89,16 +98,18 @@ export class Connection {
     let timer = setTimeout(() => attempt.abort(new ConnectError("The server did not open the view.", Code.Unavailable)), kOpenTimeoutMs);
     let updates: Updates | null = null;
     try {
-      for await (const message of this.services.view.open({ frame: this.options.request() }, { signal })) {
+      const frame = this.options.request();
+      this.missed = null;
+      for await (const message of this.services.view.open({ frame }, { signal })) {
         if (updates === null && message.viewId !== "") {
           clearTimeout(timer);
           updates = this.begin(message.viewId, attempt);
           timer = setInterval(() => updates?.probe(), kProbeEveryMs);
         }
-        const frame = message.frame;
-        if (frame) {
+        const shown = message.frame;
+        if (shown) {
           const current = updates;
-          this.options.frame(frame, () => current?.acknowledge(frame.sequence));
+          this.options.frame(shown, () => current?.acknowledge(shown.sequence));
         }
       }
     } catch (error) {
@@ -125,6 +136,8 @@ export class Connection {
       },
     });
     this.options.state("connected", "");
+    if (this.missed) this.updates.push(this.missed);
+    this.missed = null;
     return this.updates;
   }
 
