@@ -1,5 +1,5 @@
 // The server's services, reached as gRPC-Web through the page's own origin.
-import { type Client, createClient } from "@connectrpc/connect";
+import { type Client, type Transport, createClient } from "@connectrpc/connect";
 import { createGrpcWebTransport } from "@connectrpc/connect-web";
 import { Health } from "./generated/grpc/health/v1/health_pb";
 import { CatalogService } from "./generated/radiata/v1/catalog_pb";
@@ -13,8 +13,9 @@ export interface Services {
   readonly health: Client<typeof Health>;
 }
 
-export function connectServices(baseUrl: string): Services {
-  const transport = createGrpcWebTransport({ baseUrl });
+export const connectServices = (baseUrl: string): Services => servicesOver(createGrpcWebTransport({ baseUrl }));
+
+export function servicesOver(transport: Transport): Services {
   return {
     catalog: createClient(CatalogService, transport),
     limits: createClient(LimitsService, transport),
