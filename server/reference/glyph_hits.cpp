@@ -8,6 +8,7 @@ namespace radiata::reference {
 namespace {
 
 constexpr double kMoveRadii = 1e-5;
+constexpr double kCentreRadii = 1e-13;  // closer than rounding can tell: through the centre
 constexpr double kNarrowest = 1e-7;  // radians; two roots closer than this count as touching
 
 struct Line {
@@ -104,7 +105,7 @@ double circleMaximum(const ShFunction& f, const Line& line) {
 
 std::vector<GlyphHit> hitsOnLine(const ShFunction& f, const Line& line, double circle_max, bool both_lobes, bool& touching) {
     std::vector<GlyphHit> hits;
-    if (line.height == 0) {
+    if (line.height <= kCentreRadii * circle_max) {
         for (const double side : {-1.0, 1.0}) {
             const double amplitude = f(side * line.direction);
             if (amplitude > 0 || (both_lobes && amplitude < 0)) {
