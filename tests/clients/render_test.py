@@ -1,0 +1,105 @@
+"""radiata render: pictures, exact outputs, frame information, the live view's picture."""
+
+import json
+import subprocess
+import unittest
+
+import numpy as np
+
+from programs import BIN, DATASET, ClientTest, png_size
+
+CAMERA = {"eye_mm": [30.0, -200.0, 40.0], "target_mm": [1.0, 2.0, 3.0], "up": [0.0, 0.0, 1.0], "field_of_view_deg": 30.0,
+          "clip": {"nearest_mm": 10.0, "farthest_mm": 500.0}}
+
+# Output, option, element type, channels.
+ARRAYS = [("depth", "--depth", "<f4", ()), ("id", "--id", "<i4", (4,)), ("position", "--position-out", "<f4", (3,)),
+          ("normal", "--normal-out", "<f4", (3,)), ("steps", "--steps", "<i4", ())]
+
+
+class RenderTest(ClientTest):
+    def render(self, *arguments, **options):
+        return self.radiata("render", "--size", "96x64", *arguments, **options)
+
+    def test_picture_has_the_size_and_the_only_dataset_is_the_default(self):
+        self.render("-o", self.folder / "a.png")
+        self.assertEqual(png_size((self.folder / "a.png").read_bytes()), (96, 64))
+
+    def test_picture_goes_to_standard_output(self):
+        command = [BIN / "radiata", "--server", self.server.address, "render", "--size", "96x64", "-o", "-"]
+        done = subprocess.run(command, stdout=subprocess.PIPE, check=True, timeout=60)
+        self.assertEqual(png_size(done.stdout), (96, 64))
+
+    def test_format_follows_the_name_or_the_option(self):
+        for name, option in (("a.jpg", []), ("b.jpeg", []), ("c.bin", ["--format", "jpeg"])):
+            self.render("-o", self.folder / name, *option)
+            self.assertEqual((self.folder / name).read_bytes()[:3], b"\xff\xd8\xff")
+
+    def test_outputs_are_npy_files_of_the_stated_shape_and_type(self):
+        files = [part for name, option, _, _ in ARRAYS for part in (option, self.folder / f"{name}.npy")]
+        self.render(*files)
+        for name, _, kind, channels in ARRAYS:
+            array = np.load(self.folder / f"{name}.npy")
+            self.assertEqual(array.shape, (64, 96) + channels, name)
+            self.assertEqual(array.dtype, np.dtype(kind), name)
+            self.assertTrue(array.flags.c_contiguous, name)
+
+    def test_info_echoes_what_was_asked(self):
+        self.render("--dataset", DATASET, "--plane", "oblique", "--position", "1,-2,3.5", "--normal", "0,1,1", "--slab", "4",
+                    "--scale", "per-glyph", "--factor", "0.5", "--lmax", "4", "--lobes", "shown", "--samples", "3",
+                    "--intersection", "march", "--pole-table", "off", "--light", "-1,1,2", "--irradiance", "2",
+                    "--ambient", "0.25", "--background", "0.5,0.25,0", "--convention", "neurological", "--no-annotations",
+                    "--opacity", "0.5", "--camera", json.dumps(CAMERA), "--info", self.folder / "info.json")
+        info = json.loads((self.folder / "info.json").read_text())
+        self.assertEqual((info["width"], info["height"], info["samples"], info["state"]), (96, 64, 3, "converged"))
+        self.assertGreater(len(info["passes"]), 0)
+        self.assertIn("time_ms", info["passes"][0])
+        self.assertEqual(info["methods"]["intersection"], "march")
+        self.assertIn("hit_pixels", info["counters"])
+        request = info["request"]
+        self.assertEqual(request["camera"], CAMERA)
+        layer = request["scene"]["layers"][0]
+        self.assertEqual(layer["opacity"], 0.5)
+        glyphs = layer["glyphs"]
+        slab = glyphs["selection"]["slab"]
+        self.assertEqual(slab["thickness_mm"], 4)
+        self.assertEqual(slab["middle"], {"plane": "oblique", "position_mm": [1, -2, 3.5], "normal": [0, 1, 1]})
+        self.assertEqual(glyphs["scale"], {"mode": "per-glyph", "factor": 0.5})
+        self.assertEqual((glyphs["lmax"], glyphs["negative_lobes"]), (4, "shown"))
+        self.assertEqual(request["quality"]["pole_table"], "off")
+        self.assertEqual(request["scene"]["background"], [0.5, 0.25, 0])
+        self.assertEqual(request["scene"]["light"], {"direction_camera": [-1, 1, 2], "irradiance": 2, "ambient": 0.25})
+        self.assertEqual(request["scene"]["annotations"], {"convention": "neurological", "hidden": True})
+
+    def test_camera_file_and_echoed_camera_give_the_same_picture(self):
+        (self.folder / "camera.json").write_text(json.dumps(CAMERA))
+        self.render("--camera", self.folder / "camera.json", "-o", self.folder / "a.png", "--info", self.folder / "a.json")
+        echoed = json.loads((self.folder / "a.json").read_text())["request"]["camera"]
+        self.render("--camera", json.dumps(echoed), "-o", self.folder / "b.png")
+        self.assertEqual((self.folder / "a.png").read_bytes(), (self.folder / "b.png").read_bytes())
+
+    def test_whole_volume(self):
+        self.render("--volume", "--info", self.folder / "info.json")
+        request = json.loads((self.folder / "info.json").read_text())["request"]
+        self.assertIn("volume", request["scene"]["layers"][0]["glyphs"]["selection"])
+
+    def test_stream_gives_the_picture_of_the_unary_call(self):
+        self.render("--samples", "5", "-o", self.folder / "unary.png")
+        self.render("--samples", "5", "--stream", "-o", self.folder / "stream.png", "--info", self.folder / "stream.json")
+        self.assertEqual((self.folder / "unary.png").read_bytes(), (self.folder / "stream.png").read_bytes())
+        info = json.loads((self.folder / "stream.json").read_text())
+        self.assertEqual((info["state"], info["format"], info["samples"]), ("converged", "png", 5))
+        self.assertEqual(info["request"]["quality"]["samples"], 5)
+
+    def test_an_existing_picture_is_replaced_as_a_whole(self):
+        file = self.folder / "a.png"
+        file.write_bytes(b"old")
+        self.render("-o", file)
+        self.assertEqual(png_size(file.read_bytes()), (96, 64))
+        self.assertEqual([entry.name for entry in self.folder.iterdir()], ["a.png"])
+
+    def test_wait_returns_as_soon_as_the_server_serves(self):
+        self.radiata("list", "--wait", "30")
+
+
+if __name__ == "__main__":
+    unittest.main()
