@@ -1,0 +1,64 @@
+// The four services of the contract. They parse, convert and answer; sessions do the work.
+#pragma once
+
+#include <memory>
+
+#include "radiata/v1/catalog.grpc.pb.h"
+#include "radiata/v1/limits.grpc.pb.h"
+#include "radiata/v1/render.grpc.pb.h"
+#include "radiata/v1/view.grpc.pb.h"
+#include "service/view_ids.h"
+#include "service/worker.h"
+#include "session/conductor.h"
+
+namespace radiata::service {
+
+using Bytes = grpc::ByteBuffer;
+using Context = grpc::CallbackServerContext;
+
+class ViewService final : public v1::ViewService::WithRawCallbackMethod_Open<
+                              v1::ViewService::WithRawCallbackMethod_Update<v1::ViewService::Service>> {
+public:
+    ViewService(session::Conductor& conductor, Worker& worker) : conductor_(conductor), worker_(worker) {}
+    grpc::ServerWriteReactor<Bytes>* Open(Context* context, const Bytes* request) override;
+    grpc::ServerUnaryReactor* Update(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    session::Conductor& conductor_;
+    Worker& worker_;
+    ViewIds ids_;
+};
+
+class RenderService final : public v1::RenderService::WithRawCallbackMethod_Render<v1::RenderService::Service> {
+public:
+    explicit RenderService(session::Conductor& conductor) : conductor_(conductor) {}
+    grpc::ServerUnaryReactor* Render(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    session::Conductor& conductor_;
+};
+
+class CatalogService final
+    : public v1::CatalogService::WithRawCallbackMethod_ListDatasets<v1::CatalogService::WithRawCallbackMethod_GetDataset<
+          v1::CatalogService::WithRawCallbackMethod_FitCamera<v1::CatalogService::Service>>> {
+public:
+    CatalogService(session::Conductor& conductor, Worker& worker) : conductor_(conductor), worker_(worker) {}
+    grpc::ServerUnaryReactor* ListDatasets(Context* context, const Bytes* request, Bytes* response) override;
+    grpc::ServerUnaryReactor* GetDataset(Context* context, const Bytes* request, Bytes* response) override;
+    grpc::ServerUnaryReactor* FitCamera(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    session::Conductor& conductor_;
+    Worker& worker_;
+};
+
+class LimitsService final : public v1::LimitsService::WithRawCallbackMethod_GetLimits<v1::LimitsService::Service> {
+public:
+    explicit LimitsService(session::Conductor& conductor) : conductor_(conductor) {}
+    grpc::ServerUnaryReactor* GetLimits(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    session::Conductor& conductor_;
+};
+
+}  // namespace radiata::service
