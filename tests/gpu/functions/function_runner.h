@@ -5,10 +5,12 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include <gtest/gtest.h>
@@ -25,7 +27,10 @@ class FunctionTest : public ::testing::Test {
 protected:
     /// One device for all tests of a suite; making one takes longer than most of them.
     static void SetUpTestSuite() { device_ = std::make_unique<gpu::Device>(gpu::DeviceOptions{.validation = true}); }
-    static void TearDownTestSuite() { device_.reset(); }
+    static void TearDownTestSuite() {
+        pipelines_.clear();
+        device_.reset();
+    }
     void TearDown() override {
         for (const std::string& message : device_->takeValidationMessages()) ADD_FAILURE() << message;
     }
@@ -36,16 +41,13 @@ protected:
     template <typename Output, typename Input>
     std::vector<Output> runFunction(std::string_view module_name, const std::vector<std::uint32_t>& constants,
                                     const std::vector<Input>& inputs, const std::vector<float>& shared_values = {0}) {
-        std::vector<std::uint32_t> all_constants{kGroupSize};
-        all_constants.insert(all_constants.end(), constants.begin(), constants.end());
-        const shaders::Module& module = shaders::module(module_name);
-        const gpu::ComputePipeline pipeline(*device_, {module.name, module.spirv}, all_constants);
+        const gpu::ComputePipeline& function = pipeline(module_name, constants);
         const gpu::Buffer input_buffer = uploaded(std::as_bytes(std::span(inputs)), "inputs");
         const gpu::Buffer shared_buffer = uploaded(std::as_bytes(std::span(shared_values)), "shared values");
         const gpu::Buffer output_buffer(*device_, inputs.size() * sizeof(Output), gpu::Memory::kDevice, "outputs");
         const auto count = static_cast<std::uint32_t>(inputs.size());
         gpu::CommandRecorder recorder(*device_);
-        recorder.dispatch(pipeline, "function", (count + kGroupSize - 1) / kGroupSize, 1, 1,
+        recorder.dispatch(function, "function", (count + kGroupSize - 1) / kGroupSize, 1, 1,
                           Push{input_buffer.address(), output_buffer.address(), shared_buffer.address(), count});
         recorder.submitAndWait();
         time_ms_ = recorder.takeTimings().at(0).time_ms;
@@ -64,6 +66,20 @@ private:
         std::uint32_t count, padding = 0;
     };
 
+    using PipelineKey = std::pair<std::string, std::vector<std::uint32_t>>;
+
+    /// Compiled once per suite: large functions take seconds.
+    static const gpu::ComputePipeline& pipeline(std::string_view module_name, const std::vector<std::uint32_t>& constants) {
+        gpu::ComputePipeline& pipeline = pipelines_[{std::string(module_name), constants}];
+        if (!pipeline) {
+            std::vector<std::uint32_t> all_constants{kGroupSize};
+            all_constants.insert(all_constants.end(), constants.begin(), constants.end());
+            const shaders::Module& module = shaders::module(module_name);
+            pipeline = gpu::ComputePipeline(*device_, {module.name, module.spirv}, all_constants);
+        }
+        return pipeline;
+    }
+
     static gpu::Buffer uploaded(std::span<const std::byte> bytes, const std::string& name) {
         gpu::Buffer buffer(*device_, bytes.size(), gpu::Memory::kDevice, name);
         gpu::upload(*device_, buffer, 0, bytes);
@@ -71,6 +87,7 @@ private:
     }
 
     static inline std::unique_ptr<gpu::Device> device_;
+    static inline std::map<PipelineKey, gpu::ComputePipeline> pipelines_;
 };
 
 }  // namespace radiata::test

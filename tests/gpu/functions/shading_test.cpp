@@ -20,8 +20,14 @@ std::vector<ShadingInput> randomInputs(std::size_t count) {
     const auto direction = [&] { return glm::normalize(glm::vec3(normal(random), normal(random), normal(random))); };
     std::vector<ShadingInput> inputs(count);
     for (ShadingInput& x : inputs) {
-        x = {{unit(random), unit(random), unit(random)}, 0.2F + 0.8F * unit(random), direction(), 3 * unit(random),
-             direction(), unit(random), direction(), 0};
+        x = {{unit(random), unit(random), unit(random)},
+             0.2F + 0.8F * unit(random),
+             direction(),
+             3 * unit(random),
+             direction(),
+             unit(random),
+             direction(),
+             0};
         if (glm::dot(x.normal, x.viewer) < 0) x.viewer = -x.viewer;
     }
     inputs[0].light = inputs[0].viewer = inputs[0].normal;  // head-on
