@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/checked.h"
@@ -51,8 +52,11 @@ std::size_t ByteSource::read(std::span<std::byte> out) {
             int status = Z_OK;
             const char* reason = gzerror(compressed_.get(), &status);
             if (count < 0 || (status != Z_OK && status != Z_STREAM_END)) {
-                throw Error(Code::kCorrupt, name() + ": the gzip stream is damaged or cut off after " +
-                                                std::to_string(position_) + " decompressed bytes (" + reason + ")");
+                // zlib puts the whole path before its reason; folders are nothing for a message.
+                const std::string_view text(reason);
+                const std::size_t colon = text.rfind(": ");
+                throw Error(Code::kCorrupt, name() + ": the gzip stream is damaged or cut off (" +
+                                                std::string(text.substr(colon == text.npos ? 0 : colon + 2)) + ")");
             }
             got = static_cast<std::size_t>(count);
         } else {

@@ -84,7 +84,9 @@ std::string headerText(const MrtrixFile& file) {
 
 TempFolder::TempFolder() {
     static std::atomic<int> counter{0};
-    path_ = std::filesystem::temp_directory_path() /
+    // In memory where there is such a folder: the tests write thousands of small files.
+    const std::filesystem::path memory = "/dev/shm";
+    path_ = (::access(memory.c_str(), W_OK) == 0 ? memory : std::filesystem::temp_directory_path()) /
             ("radiata_test_" + std::to_string(::getpid()) + "_" + std::to_string(counter++));
     std::filesystem::create_directories(path_);
 }
