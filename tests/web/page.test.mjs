@@ -4,7 +4,7 @@ import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, describe, it } from "node:test";
-import { camera, compare, converged, keep, lastFrame, openPage, slicePosition } from "./support/browser.mjs";
+import { camera, compare, converged, keep, lastFrame, nativeOptions, openPage, slicePosition } from "./support/browser.mjs";
 import { freePort, programs, runToEnd, scratchFolder, startNginx, startStubServer, until } from "./support/processes.mjs";
 
 /** Where the server writes how far a picture is; that differs between pictures of one camera. */
@@ -26,14 +26,11 @@ after(async () => {
   await server?.stop();
 });
 
-/** What the native client says: `radiata COMMAND` with the page's camera, slice and size. */
-async function native(command, cameraJson, output, extra = []) {
-  const { width, height } = await lastFrame(page);
-  await runToEnd(join(programs, "radiata"), [
-    "--server", `127.0.0.1:${serverPort}`, command, "--camera", JSON.stringify(cameraJson), "--size", `${width}x${height}`,
-    "--plane", "axial", "--position", ...(await slicePosition(page)).map(String), "-o", output, ...extra,
+/** What the native client makes with the page's choices: `radiata COMMAND` with this camera. */
+const native = async (command, cameraJson, output, extra = []) =>
+  runToEnd(join(programs, "radiata"), [
+    "--server", `127.0.0.1:${serverPort}`, command, "--camera", JSON.stringify(cameraJson), ...(await nativeOptions(page)), "-o", output, ...extra,
   ]);
-}
 const picture = () => page.locator("#picture");
 const middle = async () => {
   const box = await picture().boundingBox();
@@ -145,8 +142,8 @@ describe("the page", () => {
     const before = await slicePosition(page);
     const target = (await camera(page)).target_mm;
     await page.keyboard.press("PageUp");
-    await page.waitForFunction((z) => radiata.request().scene.layers[0].glyphs.selection.slice.positionMm.z !== z, before[2]);
-    assert.ok(Math.abs((await slicePosition(page))[2] - before[2] - 2) < 1e-9, "the stub's voxels are 2 mm");
+    // The stub's voxels are 2 mm.
+    await until("the next slice", async () => Math.abs((await slicePosition(page))[2] - before[2] - 2) < 1e-9);
     assert.ok(Math.abs((await camera(page)).target_mm[2] - target[2] - 2) < 1e-9);
     await page.keyboard.press("PageDown");
     await page.keyboard.press("r");
@@ -158,6 +155,7 @@ describe("the page", () => {
     await page.selectOption("#plane", "coronal");
     await page.selectOption("#region", "slab");
     await page.fill("#thickness", "7.5");
+    await page.locator("#thickness").blur();
     await page.selectOption("#scale", "glyph");
     await page.selectOption("#lmax", "0");
     await page.check("#negative");
@@ -189,10 +187,10 @@ describe("the page", () => {
   });
 
   it("follows the size of the window", async () => {
-    await page.setViewportSize({ width: 500, height: 380 });
-    await page.waitForFunction(() => radiata.lastFrame().width === 500);
-    await page.setViewportSize({ width: 640, height: 420 });
-    await page.waitForFunction(() => radiata.lastFrame().width === 640);
+    await page.setViewportSize({ width: 800, height: 400 });
+    await page.waitForFunction(() => radiata.lastFrame().width === 800);
+    await page.setViewportSize({ width: 960, height: 520 });
+    await page.waitForFunction(() => radiata.lastFrame().width === 960);
     await converged(page);
   });
 

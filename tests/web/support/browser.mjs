@@ -11,7 +11,7 @@ const kFlags = [
 ];
 
 /** \return {page, close, problems}: problems are what the page complained about (errors, violated policies). */
-export async function openPage(url, { width = 640, height = 420, touch = false } = {}) {
+export async function openPage(url, { width = 960, height = 520, touch = false } = {}) {
   const context = await chromium.launchPersistentContext(scratchFolder(), {
     executablePath: process.env.RADIATA_CHROMIUM ?? "/usr/bin/chromium",
     headless: true,
@@ -53,6 +53,24 @@ export const slicePosition = (page) =>
     const p = radiata.request().scene.layers[0].glyphs.selection.slice.positionMm;
     return [p.x ?? 0, p.y ?? 0, p.z ?? 0];  // zeros are left out of the JSON
   });
+
+/** The options that ask `radiata` for the slice that the page shows, but for the camera. */
+export async function nativeOptions(page) {
+  const { width, height } = await lastFrame(page);
+  const scene = await page.evaluate(() => radiata.request().scene);
+  const glyphs = scene.layers[0].glyphs;
+  const word = (value, prefix) => value.slice(prefix.length).toLowerCase().replaceAll("_", "-");
+  return [
+    "--dataset", glyphs.datasetId,
+    "--size", `${width}x${height}`,
+    "--plane", word(glyphs.selection.slice.plane, "PLANE_"),
+    "--position", ...(await slicePosition(page)).map(String),
+    "--scale", word(glyphs.scale.mode, "MODE_"),
+    "--lmax", String(glyphs.lmax ?? 0),
+    "--lobes", word(glyphs.negativeLobes, "NEGATIVE_LOBES_"),
+    "--convention", word(scene.annotations.convention, "CONVENTION_"),
+  ];
+}
 
 /** Keeps the pixels that the canvas shows now, as window.kept, for `compare`. */
 export const keep = (page) =>
