@@ -84,6 +84,21 @@ private:
         return values;
     }
 
+    /// From first axis fastest, as NumPy stores transposed arrays, to last axis fastest.
+    static std::vector<double> rowMajor(const NpyArray& columns) {
+        std::vector<double> values(columns.values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            std::size_t rest = i, at = 0, stride = values.size();
+            for (std::size_t axis = columns.shape.size(); axis-- > 0;) {
+                stride /= columns.shape[axis];
+                at += rest % columns.shape[axis] * stride;
+                rest /= columns.shape[axis];
+            }
+            values[i] = columns.values[at];
+        }
+        return values;
+    }
+
     NpyArray parse(const std::string& npy) const {
         const bool first_version = npy.at(6) == 1;
         const std::size_t start = first_version ? 10 : 12;
@@ -103,7 +118,6 @@ private:
             i += digits;
         }
         const std::size_t data = start + length;
-        if (header.find("'fortran_order': False") == std::string::npos) throw std::runtime_error(name_ + ": column-major");
         if (header.find("<f8") != std::string::npos) {
             array.values = convert<double>(npy, data, count);
         } else if (header.find("<f4") != std::string::npos) {
@@ -117,6 +131,7 @@ private:
         } else {
             throw std::runtime_error(name_ + ": an array type that is not known: " + header);
         }
+        if (header.find("'fortran_order': True") != std::string::npos) array.values = rowMajor(array);
         return array;
     }
 

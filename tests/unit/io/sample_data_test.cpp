@@ -13,8 +13,8 @@
 
 #include "io/sh_image.h"
 #include "math/sh_evaluate.h"
+#include "support/npz.h"
 #include "unit/io/image_bytes.h"
-#include "unit/io/npz.h"
 #include "unit/math/sh_test_tools.h"
 
 namespace radiata::io {
@@ -24,6 +24,10 @@ std::optional<std::filesystem::path> dataFolder() {
     const char* folder = std::getenv("RADIATA_DATA");
     if (folder == nullptr || *folder == '\0') return std::nullopt;
     return std::filesystem::path(folder);
+}
+
+double at(const testing::NpyArray& array, std::size_t row, std::size_t column) {
+    return array.values.at(row * (array.values.size() / array.shape.at(0)) + column);
 }
 
 using VoxelIndex = std::map<std::array<int, 3>, std::size_t>;
@@ -59,15 +63,15 @@ std::vector<glm::dvec3> readDirections(const std::filesystem::path& path) {
 }
 
 /// Each row of `stored` (in `convention`) is a voxel's function: equal to the image within `bound` of its largest coefficient.
-void expectCoefficients(const model::ShImage& image, const test::NpyArray& voxels, const test::NpyArray& stored,
+void expectCoefficients(const model::ShImage& image, const testing::NpyArray& voxels, const testing::NpyArray& stored,
                         ShConvention convention, double bound) {
     const VoxelIndex index = indexOf(image);
-    for (std::size_t row = 0; row < voxels.rows(); ++row) {
+    for (std::size_t row = 0; row < voxels.shape[0]; ++row) {
         const auto found = index.find(
-            {static_cast<int>(voxels.at(row, 0)), static_cast<int>(voxels.at(row, 1)), static_cast<int>(voxels.at(row, 2))});
+            {static_cast<int>(at(voxels, row, 0)), static_cast<int>(at(voxels, row, 1)), static_cast<int>(at(voxels, row, 2))});
         ASSERT_NE(found, index.end()) << "voxel of row " << row;
         std::vector<double> expected(image.layout.count());
-        for (std::size_t c = 0; c < expected.size(); ++c) expected[c] = stored.at(row, c);
+        for (std::size_t c = 0; c < expected.size(); ++c) expected[c] = at(stored, row, c);
         convertSh(std::span<double>(expected), image.layout, convention, ShConvention::kDescoteaux07);
         const auto read = coefficients(image, found->second);
         double largest = 0;
@@ -79,22 +83,22 @@ void expectCoefficients(const model::ShImage& image, const test::NpyArray& voxel
 }
 
 /// Amplitudes along directions equal those of the peer to 1e-5 of the largest.
-void expectAmplitudes(const model::ShImage& image, const test::NpyArray& voxels, const test::NpyArray& amplitudes,
+void expectAmplitudes(const model::ShImage& image, const testing::NpyArray& voxels, const testing::NpyArray& amplitudes,
                       const std::vector<glm::dvec3>& directions) {
     const VoxelIndex index = indexOf(image);
     double largest = 0;
     for (const double value : amplitudes.values) largest = std::max(largest, std::abs(value));
     double worst = 0;
-    for (std::size_t row = 0; row < voxels.rows(); ++row) {
+    for (std::size_t row = 0; row < voxels.shape[0]; ++row) {
         const std::size_t voxel = index.at(
-            {static_cast<int>(voxels.at(row, 0)), static_cast<int>(voxels.at(row, 1)), static_cast<int>(voxels.at(row, 2))});
+            {static_cast<int>(at(voxels, row, 0)), static_cast<int>(at(voxels, row, 1)), static_cast<int>(at(voxels, row, 2))});
         for (std::size_t d = 0; d < directions.size(); ++d) {
             const double ours = evaluateSh(image.layout, coefficients(image, voxel), directions[d]);
-            worst = std::max(worst, std::abs(ours - amplitudes.at(row, d)));
+            worst = std::max(worst, std::abs(ours - at(amplitudes, row, d)));
         }
     }
     EXPECT_LT(worst, 1e-5 * largest);
-    testing::Test::RecordProperty("worst_over_largest", std::to_string(worst / largest));
+    ::testing::Test::RecordProperty("worst_over_largest", std::to_string(worst / largest));
 }
 
 TEST(SampleData, SixEncodingsOfOneImageGiveEqualArrays) {
@@ -154,14 +158,15 @@ TEST(SampleData, CoefficientsAndAmplitudesEqualThePeers) {
              {"xa140_fod4", "xa140_fod6", "xa140_fod8", "xa140_fod10", "xa140_fod12", "xa140_fod12_noise"}) {
             SCOPED_TRACE(name);
             const model::ShImage image = readShImage(*folder / "sh" / (name + ".nii.gz"));
-            const auto ref = test::readNpz(*folder / "refs" / (name + "_ref.npz"));
-            const test::NpyArray& voxels = ref.at("voxel");
-            ASSERT_EQ(voxels.rows(), 256U);
-            expectCoefficients(image, voxels, ref.at("coef_mrtrix"), ShConvention::kTournier07, 0);
-            expectCoefficients(image, voxels, ref.at("coef_descoteaux07"), ShConvention::kDescoteaux07, rounding);
-            expectCoefficients(image, voxels, ref.at("coef_descoteaux07_legacy"), ShConvention::kDescoteaux07Legacy, rounding);
-            expectCoefficients(image, voxels, ref.at("coef_tournier07_legacy"), ShConvention::kMrtrix02, rounding);
-            expectAmplitudes(image, voxels, ref.at("amp_sh2amp"), directions);
+            const testing::NpzFile ref(*folder / "refs" / (name + "_ref.npz"));
+            const testing::NpyArray voxels = ref.array("voxel");
+            ASSERT_EQ(voxels.shape[0], 256U);
+            expectCoefficients(image, voxels, ref.array("coef_mrtrix"), ShConvention::kTournier07, 0);
+            expectCoefficients(image, voxels, ref.array("coef_descoteaux07"), ShConvention::kDescoteaux07, rounding);
+            expectCoefficients(image, voxels, ref.array("coef_descoteaux07_legacy"), ShConvention::kDescoteaux07Legacy,
+                               rounding);
+            expectCoefficients(image, voxels, ref.array("coef_tournier07_legacy"), ShConvention::kMrtrix02, rounding);
+            expectAmplitudes(image, voxels, ref.array("amp_sh2amp"), directions);
         }
     }
     std::mt19937 random(15);
@@ -172,9 +177,9 @@ TEST(SampleData, CoefficientsAndAmplitudesEqualThePeers) {
     file.dim = {1, 1, 1, static_cast<std::int64_t>(layout.count())};
     file.data = test::encode(stored, "float32", false);
     const model::ShImage image = readShImage(made.write("a.nii", test::bytes(file)));
-    const test::NpyArray voxel{{1, 3}, {0, 0, 0}};
+    const testing::NpyArray voxel{{1, 3}, {0, 0, 0}};
     expectCoefficients(image, voxel, {{1, layout.count()}, stored}, ShConvention::kTournier07, rounding);
-    test::NpyArray amplitudes{{1, 512}, {}};
+    testing::NpyArray amplitudes{{1, 512}, {}};
     std::vector<glm::dvec3> directions;
     for (int i = 0; i < 512; ++i) {
         directions.push_back(test::randomDirection(random));
@@ -186,9 +191,9 @@ TEST(SampleData, CoefficientsAndAmplitudesEqualThePeers) {
 TEST(SampleData, DipysOwnImageEqualsItsReference) {
     if (const auto folder = dataFolder()) {
         const model::ShImage image = readShImage(*folder / "formats" / "dipy_ptt_fod.nii");
-        const auto ref = test::readNpz(*folder / "refs" / "ptt_fod_tournier07_ref.npz");
-        expectCoefficients(image, ref.at("voxel"), ref.at("coef"), ShConvention::kTournier07, std::ldexp(1.0, -23));
-        expectAmplitudes(image, ref.at("voxel"), ref.at("sf"), readDirections(*folder / "refs" / "directions512.txt"));
+        const testing::NpzFile ref(*folder / "refs" / "ptt_fod_tournier07_ref.npz");
+        expectCoefficients(image, ref.array("voxel"), ref.array("coef"), ShConvention::kTournier07, std::ldexp(1.0, -23));
+        expectAmplitudes(image, ref.array("voxel"), ref.array("sf"), readDirections(*folder / "refs" / "directions512.txt"));
     }
     // The same kind of file, made here: dipy writes float64 coefficients volume by volume.
     const test::TempFolder made;
