@@ -14,8 +14,8 @@ struct Mark {
     float y = 0;       ///< anchor, 0 top to 1 bottom
     MarkAlign horizontal = MarkAlign::kStart;
     MarkAlign vertical = MarkAlign::kStart;
-    int line = 0;      ///< lines of text between the anchor and this one: downwards, or upwards if aligned to the bottom
-    float size = 1;    ///< relative to the picture's usual text
+    int line = 0;    ///< lines of text between the anchor and this one: downwards, or upwards if aligned to the bottom
+    float size = 1;  ///< relative to the picture's usual text
     bool operator==(const Mark&) const = default;
 };
 

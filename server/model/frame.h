@@ -20,6 +20,7 @@ struct Quality {
     Intersection intersection = Intersection::kMarch;
     Traversal traversal = Traversal::kAuto;
     PoleTable pole_table = PoleTable::kAuto;
+    bool polynomial_bracket_stop = true;  ///< the polynomial solver stops on the bracket's width; false: as its paper does
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

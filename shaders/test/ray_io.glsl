@@ -16,7 +16,7 @@ struct RayOutput {
     float t;
     float amplitude;  // 0: no hit
     uint steps;
-    uint count;  // of all hits, where the solver tells
+    uint count;  // polynomial: of all hits; march: 1 if it gave up
 };
 STATIC_SIZE(RayOutput, 16);
 

@@ -1,0 +1,150 @@
+#include "plan/plan.h"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "base/error.h"
+
+namespace radiata::plan {
+namespace {
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.1f", value);
+    return text;
+}
+
+std::string_view name(model::Traversal traversal) {
+    switch (traversal) {
+        case model::Traversal::kRayQuery: return "ray_query";
+        case model::Traversal::kBvh: return "bvh";
+        case model::Traversal::kTiles: return "tiles";
+        case model::Traversal::kAuto: break;
+    }
+    return "auto";
+}
+
+bool able(model::Traversal traversal, const Abilities& abilities) {
+    switch (traversal) {
+        case model::Traversal::kRayQuery: return abilities.ray_query;
+        case model::Traversal::kBvh: return abilities.bvh;
+        case model::Traversal::kTiles: return abilities.tiles;
+        case model::Traversal::kAuto: return true;
+    }
+    return false;
+}
+
+/// The traversal and why. One for the whole frame, so that layers need no structure of another kind.
+model::Traversal chooseTraversal(const model::FrameRequest& request, const std::vector<LayerFacts>& layers,
+                                 const Abilities& abilities, std::string& reason) {
+    const model::Traversal wanted = request.quality.traversal;
+    if (wanted != model::Traversal::kAuto) {
+        if (!able(wanted, abilities)) {
+            throw Error(Code::kUnsupported, "quality.traversal is " + std::string(name(wanted)) +
+                                                ", which this device does not have or which failed the start-up self-test; "
+                                                "the limits call lists the traversals that work");
+        }
+        reason = "asked for";
+        return wanted;
+    }
+    double depth = 0;
+    for (const LayerFacts& layer : layers) depth += layer.depth_complexity;
+    if (abilities.tiles && depth <= kTileDepth) {
+        reason = "about " + number(depth) + " boxes along a ray: lists per tile are short";
+        return model::Traversal::kTiles;
+    }
+    const std::string boxes = "about " + number(depth) + " boxes along a ray; ";
+    // A CPU driver walks its own hierarchy slower than ours (measured by radiata-lab run glyph-frame).
+    if (abilities.ray_query && !(abilities.software && abilities.bvh)) {
+        reason = boxes + "the device has ray queries";
+        return model::Traversal::kRayQuery;
+    }
+    if (abilities.bvh) {
+        reason = boxes + (abilities.ray_query ? "a CPU driver, whose ray queries are slower" : "no ray queries on this device");
+        return model::Traversal::kBvh;
+    }
+    if (abilities.tiles) {
+        reason = "nothing else passed the start-up self-test";
+        return model::Traversal::kTiles;
+    }
+    throw Error(Code::kUnavailable, "no traversal passed the start-up self-test on this device");
+}
+
+bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, std::string& reason) {
+    if (method == model::Intersection::kPolynomial) {
+        reason = "off: the polynomial solver has no use for it";
+        return false;
+    }
+    if (wanted == model::PoleTable::kOff) {
+        reason = "off: asked for";
+        return false;
+    }
+    if (layer.camera_close) {
+        reason = "off: the camera is inside or next to a glyph";
+        return false;
+    }
+    if (wanted == model::PoleTable::kOn) {
+        reason = "on: asked for";
+        return true;
+    }
+    const std::string rays = number(layer.rays_per_glyph) + " rays per glyph; it pays from " + number(kPoleTableRays);
+    if (layer.rays_per_glyph >= kPoleTableRays) {
+        reason = "on: about " + rays;
+        return true;
+    }
+    reason = "off: about " + rays;
+    return false;
+}
+
+GlyphPlan planLayer(const model::Layer& layer, std::size_t index, const LayerFacts& facts, model::Intersection method) {
+    const std::string where = "scene.layers[" + std::to_string(index) + "].glyphs";
+    const int lmax = layer.glyphs.lmax.value_or(facts.layout.lmax);
+    if (lmax > facts.layout.lmax) {
+        throw Error(Code::kInvalidArgument, where + ".lmax is " + std::to_string(lmax) + "; the dataset has bands up to " +
+                                                std::to_string(facts.layout.lmax));
+    }
+    // Even layouts have even bands only: an odd limit means the band below it.
+    const int limit = facts.layout.full ? lmax : lmax - lmax % 2;
+    const int compiled = std::max(2, limit + limit % 2);
+    if (method == model::Intersection::kPolynomial && (facts.layout.full || compiled > 12)) {
+        throw Error(Code::kUnsupported, where + ": the polynomial method draws even bands up to 12, this layer has " +
+                                            (facts.layout.full ? "odd bands too" : "bands up to " + std::to_string(limit)) +
+                                            "; use the march or set lmax");
+    }
+    GlyphPlan plan;
+    plan.layout_name = (facts.layout.full ? "full" : "even") + std::to_string(compiled);
+    plan.used = static_cast<std::uint32_t>(ShLayout{limit, facts.layout.full}.count());
+    plan.both_lobes = layer.glyphs.negative_lobes == model::NegativeLobes::kShown;
+    return plan;
+}
+
+}  // namespace
+
+FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities) {
+    FramePlan plan;
+    plan.resolved = request;
+    const model::Intersection method = request.quality.intersection;
+    const model::Traversal traversal = chooseTraversal(request, layers, abilities, plan.traversal_reason);
+    plan.resolved.quality.traversal = traversal;
+    const std::string kind = traversal == model::Traversal::kRayQuery ? "query_" : "trace_";
+    const std::string solver = method == model::Intersection::kPolynomial ? "polynomial_" : "";
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        GlyphPlan glyphs = planLayer(request.scene.layers[i], i, layers[i], method);
+        std::string reason;
+        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], reason);
+        if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
+        plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
+        plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);
+        const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
+        const int layer = static_cast<int>(i);
+        if (glyphs.pole_table) plan.passes.push_back({"glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
+        plan.passes.push_back({"glyph trace" + suffix, "glyph_" + solver + kind + glyphs.layout_name, layer});
+        plan.glyphs.push_back(std::move(glyphs));
+    }
+    plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;
+    plan.passes.push_back({"light", "light", -1});
+    plan.passes.push_back({"resolve", "resolve", -1});
+    return plan;
+}
+
+}  // namespace radiata::plan

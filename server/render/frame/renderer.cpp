@@ -1,0 +1,190 @@
+#include "render/frame/renderer.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <list>
+
+#include "base/error.h"
+#include "build/glyph_instances.h"
+#include "gpu/device.h"
+#include "plan/fit_camera.h"
+#include "render/frame/drawer.h"
+#include "render/frame/outputs.h"
+#include "render/frame/self_test.h"
+#include "store/store.h"
+
+namespace radiata::render {
+namespace {
+
+constexpr std::size_t kScenesKept = 16;
+
+/// Towards the light in world space. The light hangs on the camera, so pictures of any view are lit alike.
+glm::dvec3 lightDirection(const model::Light& light, const model::CameraFrame& axes) {
+    const glm::dvec3 d = glm::normalize(light.direction_camera);
+    return glm::normalize(d.x * axes.right + d.y * axes.up - d.z * axes.forward);
+}
+
+plan::SceneBounds unite(const std::vector<GlyphScene*>& layers) {
+    plan::SceneBounds all = layers.front()->bounds();
+    for (const GlyphScene* layer : layers) {
+        all.minimum = glm::min(all.minimum, layer->bounds().minimum);
+        all.maximum = glm::max(all.maximum, layer->bounds().maximum);
+    }
+    return all;
+}
+
+}  // namespace
+
+struct Renderer::Impl {
+    gpu::Device& device;
+    store::Store& store;
+    model::Limits limits;
+    Drawer drawer;
+    plan::Abilities abilities;
+    std::string device_name;
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    Target own_target;
+
+    Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
+        : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
+        abilities = selfTest(device, drawer);
+        device_name = device.info().name + ", " + device.info().driver;
+    }
+
+    GlyphScene& scene(const model::GlyphLayer& layer, const glm::dvec3& centre) {
+        const auto dataset = store.glyphs(layer.dataset_id);
+        for (auto it = scenes.begin(); it != scenes.end(); ++it) {
+            GlyphScene& candidate = **it;
+            if (candidate.layer() == layer && candidate.centreMm() == centre && &candidate.dataset() == dataset.get()) {
+                scenes.splice(scenes.begin(), scenes, it);
+                return candidate;
+            }
+        }
+        scenes.push_front(std::make_unique<GlyphScene>(device, dataset, layer, centre));
+        if (scenes.size() > kScenesKept) scenes.pop_back();
+        return *scenes.front();
+    }
+
+    /// Everything that a picture needs, from scratch or from what is kept.
+    DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
+        const glm::dvec3 centre = datasetCentre(store.glyphs(request.scene.layers[0].glyphs.dataset_id)->image());
+        DrawList list;
+        for (const model::Layer& layer : request.scene.layers) {
+            // The band limit is checked by the plan; a scene of it can only be built within the data's bands.
+            list.layers.push_back(&scene(layer.glyphs, centre));
+        }
+        // Bounds united over layers, but relative positions to the one centre that all boxes have.
+        plan::SceneBounds bounds = unite(list.layers);
+        const glm::dvec3 reach = glm::max(glm::abs(bounds.minimum - centre), glm::abs(bounds.maximum - centre));
+        bounds = {centre - reach, centre + reach};
+        list.camera = plan::rebaseCamera(request.camera, bounds, request.height);
+        list.light_direction_world = lightDirection(request.scene.light, model::cameraFrame(request.camera));
+        std::vector<plan::LayerFacts> facts;
+        for (const GlyphScene* layer : list.layers) {
+            facts.push_back(layer->facts(list.camera, request.width, request.height));
+            info.glyphs += facts.back().glyphs;
+            info.glyphs_available += facts.back().glyphs_available;
+        }
+        plan = plan::planFrame(request, facts, abilities);
+        list.plan = &plan;
+        info.request = plan.resolved;
+        info.pole_table_used = plan.uses_pole_table;
+        info.pole_table_reason = plan.pole_table_reason;
+        info.traversal_reason = plan.traversal_reason;
+        info.depth_offset_mm = list.camera.depth_offset_mm;
+        info.position_origin_mm = list.camera.reference_mm;
+        info.device = device_name;
+        return list;
+    }
+};
+
+Renderer::Renderer(gpu::Device& device, store::Store& store, const model::Limits& limits)
+    : impl_(std::make_unique<Impl>(device, store, limits)) {}
+Renderer::~Renderer() = default;
+
+model::Frame Renderer::render(Target& target, const model::FrameRequest& request, int first_sample, int count,
+                              const model::Outputs& outputs, const std::atomic<bool>* cancel) {
+    const auto begin = std::chrono::steady_clock::now();
+    model::validate(request, impl_->limits);
+    Target::Impl& buffers = *target.impl_;
+    if (count < 1 || first_sample < 0 || first_sample + count > impl_->limits.samples_max) {
+        throw Error(Code::kInternal, "samples " + std::to_string(first_sample) + " to " + std::to_string(first_sample + count));
+    }
+    if (first_sample > 0 && (buffers.samples != first_sample || !(buffers.request == request))) {
+        throw Error(Code::kInternal, "sample " + std::to_string(first_sample) + " does not continue the picture in the target");
+    }
+    model::Frame frame;
+    plan::FramePlan plan;
+    const DrawList list = impl_->prepare(request, plan, frame.info);
+    buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
+    buffers.request = request;
+    impl_->drawer.takeTimings();
+    for (int sample = first_sample; sample < first_sample + count; ++sample) {
+        impl_->drawer.takeTimings();
+        impl_->drawer.drawSample(buffers, list, sample, cancel);
+        if (sample == 0) {
+            frame.info.hit_pixels = buffers.counters().hit_pixels;
+            if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
+        }
+    }
+    frame.info.capped_rays = buffers.counters().capped_rays;
+    impl_->drawer.resolve(buffers);
+    frame.pixels.width = request.width;
+    frame.pixels.height = request.height;
+    const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;
+    frame.pixels.rgba.resize(bytes);
+    std::memcpy(frame.pixels.rgba.data(), buffers.picture.mapped().data(), bytes);
+    frame.info.samples = first_sample + count;
+    frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
+                       : first_sample == 0                           ? model::FrameState::kInteractive
+                                                                     : model::FrameState::kRefining;
+    for (const gpu::PassTiming& timing : impl_->drawer.takeTimings()) {
+        frame.info.passes.push_back({timing.name, timing.shader, timing.time_ms});
+    }
+    frame.info.render_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    return frame;
+}
+
+model::Frame Renderer::renderAll(const model::FrameRequest& request, const model::Outputs& outputs,
+                                 const std::atomic<bool>* cancel) {
+    return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
+}
+
+double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {
+    Target::Impl& buffers = *target.impl_;
+    if (buffers.samples == 0 || !(buffers.request == request)) {
+        throw Error(Code::kInternal, "measureBoxes: the target does not hold this request's picture");
+    }
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    const DrawList list = impl_->prepare(request, plan, info);
+    impl_->drawer.takeTimings();
+    impl_->drawer.drawBoxes(buffers, list);
+    double total = 0;
+    for (const gpu::PassTiming& timing : impl_->drawer.takeTimings()) total += timing.time_ms;
+    return total;
+}
+
+std::vector<std::string> Renderer::traversals() const {
+    std::vector<std::string> names;
+    if (impl_->abilities.ray_query) names.emplace_back("ray_query");
+    if (impl_->abilities.bvh) names.emplace_back("bvh");
+    if (impl_->abilities.tiles) names.emplace_back("tiles");
+    return names;
+}
+
+const std::string& Renderer::deviceName() const { return impl_->device_name; }
+
+model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::VoxelSelection& selection,
+                                  model::Convention convention, double aspect) {
+    if (!(aspect >= 0.05 && aspect <= 20)) {
+        throw Error(Code::kInvalidArgument, "aspect is " + std::to_string(aspect) + "; it must be 0.05 to 20");
+    }
+    const auto dataset = impl_->store.glyphs(dataset_id);
+    const plan::SceneBounds bounds = selectionBounds(*dataset, selection);
+    return plan::fitCamera(bounds, selection, convention, aspect);
+}
+
+}  // namespace radiata::render

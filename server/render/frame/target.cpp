@@ -1,0 +1,32 @@
+#include "render/frame/target.h"
+
+#include <algorithm>
+
+namespace radiata::render {
+
+Target::Target() : impl_(std::make_unique<Impl>()) {}
+Target::~Target() = default;
+Target::Target(Target&&) noexcept = default;
+Target& Target::operator=(Target&&) noexcept = default;
+
+void ensureBytes(gpu::Device& device, gpu::Buffer& buffer, std::uint64_t bytes, gpu::Memory memory, const char* name) {
+    if (buffer && buffer.sizeBytes() >= bytes) return;
+    buffer = gpu::Buffer();  // first free, then take
+    buffer = gpu::Buffer(device, std::max<std::uint64_t>(bytes + bytes / 4, 256), memory, name);
+}
+
+void Target::Impl::prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count) {
+    layers.resize(std::max(layers.size(), layer_count));
+    if (!params) params = gpu::Buffer(device, kParamBytes, gpu::Memory::kUpload, "frame parameters");
+    if (new_width == width && new_height == height) return;
+    width = height = samples = 0;
+    const auto pixels = static_cast<std::uint64_t>(new_width) * static_cast<std::uint64_t>(new_height);
+    for (gpu::Buffer* buffer : {&surface, &light, &picture, &surface_readback}) *buffer = gpu::Buffer();
+    surface = gpu::Buffer(device, pixels * sizeof(shader::Surface), gpu::Memory::kDevice, "surface buffer");
+    light = gpu::Buffer(device, pixels * 12, gpu::Memory::kDevice, "light buffer");
+    picture = gpu::Buffer(device, pixels * 4, gpu::Memory::kReadback, "picture");
+    width = new_width;
+    height = new_height;
+}
+
+}  // namespace radiata::render

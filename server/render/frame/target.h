@@ -1,0 +1,61 @@
+// Device buffers of one view. See render/frame/renderer.h for who may use them.
+#pragma once
+
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "render/frame/renderer.h"
+#include "shaders/shared/frame.glsl"
+#include "shaders/shared/glyph.glsl"
+
+namespace radiata::render {
+
+/// What the light pass reads of a layer; LayerLook in shaders/frame/light.comp.
+struct LayerLook {
+    std::uint64_t instances = 0;
+    float opacity = 1;
+    std::uint32_t pad = 0;
+};
+static_assert(sizeof(LayerLook) == 16);
+
+struct Counters {
+    std::uint32_t hit_pixels = 0;
+    std::uint32_t capped_rays = 0;
+};
+
+/// Tile lists and pole-frame table of one layer, for the camera of the latest first sample.
+struct LayerBuffers {
+    gpu::Buffer tile_ranges, tile_entries, table;
+};
+
+struct Target::Impl {
+    int width = 0, height = 0;
+    int samples = 0;               ///< in the light buffer
+    model::FrameRequest request;   ///< that the samples belong to
+    gpu::Buffer surface;           ///< shader::Surface[pixels]
+    gpu::Buffer light;             ///< vec3[pixels], sum over samples
+    gpu::Buffer picture;           ///< rgba8[pixels], read back
+    gpu::Buffer surface_readback;  ///< only once an output was wanted
+    gpu::Buffer params;            ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
+    std::vector<LayerBuffers> layers;
+
+    /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
+    void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
+
+    static constexpr std::uint64_t kLayerOffset = 256;
+    static constexpr std::uint64_t kLookOffset = kLayerOffset + 8 * sizeof(shader::GlyphLayerParams);
+    static constexpr std::uint64_t kCounterOffset = kLookOffset + 8 * sizeof(LayerLook);
+    static constexpr std::uint64_t kParamBytes = kCounterOffset + sizeof(Counters);
+
+    shader::FrameParams& frame() const { return *reinterpret_cast<shader::FrameParams*>(params.mapped().data()); }
+    shader::GlyphLayerParams& layer(std::size_t i) const {
+        return reinterpret_cast<shader::GlyphLayerParams*>(params.mapped().data() + kLayerOffset)[i];
+    }
+    LayerLook& look(std::size_t i) const { return reinterpret_cast<LayerLook*>(params.mapped().data() + kLookOffset)[i]; }
+    Counters& counters() const { return *reinterpret_cast<Counters*>(params.mapped().data() + kCounterOffset); }
+};
+
+/// Replaces a buffer that is too small, with some room to grow.
+void ensureBytes(gpu::Device& device, gpu::Buffer& buffer, std::uint64_t bytes, gpu::Memory memory, const char* name);
+
+}  // namespace radiata::render

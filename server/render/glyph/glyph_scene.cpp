@@ -1,0 +1,182 @@
+#include "render/glyph/glyph_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "build/bvh.h"
+#include "build/glyph_instances.h"
+#include "gpu/device.h"
+
+namespace radiata::render {
+namespace {
+
+/// Boxes of the traversal structures are in float scene coordinates; they grow by their rounding, so that none is missed.
+constexpr float kBoxPadding = 4e-7F;
+
+glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
+    return glm::dvec3(image.voxel_to_world * glm::dvec4(glm::dvec3(image.voxels[slot]), 1.0));
+}
+
+/// mm per unit of amplitude.
+double scaleOf(const model::GlyphScale& scale, double half_voxel, float dataset_max, float glyph_max) {
+    const double factor = scale.factor;
+    if (scale.mode == model::ScaleMode::kAbsolute) return factor;
+    const double largest = scale.mode == model::ScaleMode::kGlobal ? dataset_max : glyph_max;
+    return largest > 0 ? factor * half_voxel / largest : 0;
+}
+
+}  // namespace
+
+plan::SceneBounds selectionBounds(const store::GlyphDataset& dataset, const model::VoxelSelection& selection) {
+    const model::ShImage& image = dataset.image();
+    const std::vector<std::uint32_t> slots = selectVoxels(image, selection);
+    plan::SceneBounds bounds;
+    if (slots.empty()) {
+        datasetBounds(image, bounds.minimum, bounds.maximum);
+        return bounds;
+    }
+    bounds.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
+    bounds.maximum = -bounds.minimum;
+    glm::dvec3 half(0);
+    for (int axis = 0; axis < 3; ++axis) half += 0.5 * glm::abs(glm::dvec3(image.voxel_to_world[axis]));
+    for (const std::uint32_t slot : slots) {
+        const glm::dvec3 centre = worldOf(image, slot);
+        bounds.minimum = glm::min(bounds.minimum, centre - half);
+        bounds.maximum = glm::max(bounds.maximum, centre + half);
+    }
+    return bounds;
+}
+
+GlyphScene::GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
+                       const glm::dvec3& centre_mm)
+    : device_(device), dataset_(std::move(dataset)), layer_(layer), centre_mm_(centre_mm) {
+    makeInstances(layer);
+    const std::uint64_t bytes = std::max<std::uint64_t>(instances_.size(), 1) * sizeof(shader::GlyphInstance);
+    instance_buffer_ = gpu::Buffer(device_, bytes, gpu::Memory::kDevice, "glyph instances");
+    if (!instances_.empty()) gpu::upload(device_, instance_buffer_, 0, std::as_bytes(std::span(instances_)));
+}
+
+void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
+    const model::ShImage& image = dataset_->image();
+    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
+    const int limit = image.layout.full ? lmax : lmax - lmax % 2;
+    const std::vector<std::uint32_t> slots = selectVoxels(image, layer.selection);
+    const std::vector<GlyphBounds> boxes =
+        dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
+    const double half_voxel = halfVoxel(image);
+    bounds_.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
+    bounds_.maximum = -bounds_.minimum;
+    instances_.reserve(slots.size());
+    for (std::size_t i = 0; i < slots.size(); ++i) {
+        const double scale = scaleOf(layer.scale, half_voxel, dataset_->info().amplitude_max, boxes[i].amplitude_max);
+        const auto mm = static_cast<float>(scale);
+        // Glyphs without a visible lobe, or too small or large for float, have nothing to hit.
+        if (!(boxes[i].radius * mm > 1e-20F) || !(boxes[i].radius * mm < 1e18F) || !std::isnormal(mm)) continue;
+        const glm::dvec3 world = worldOf(image, slots[i]);
+        const glm::dvec3 relative = world - centre_mm_;
+        shader::GlyphInstance glyph{};
+        glyph.centre_high = glm::vec3(relative);
+        glyph.centre_low = glm::vec3(relative - glm::dvec3(glyph.centre_high));
+        glyph.scale = mm;
+        glyph.radius = boxes[i].radius * mm;
+        glyph.box_min = boxes[i].min * mm;
+        glyph.box_max = boxes[i].max * mm;
+        glyph.slot = slots[i];
+        instances_.push_back(glyph);
+        largest_radius_ = std::max(largest_radius_, glyph.radius);
+        bounds_.minimum = glm::min(bounds_.minimum, world + glm::dvec3(glyph.box_min));
+        bounds_.maximum = glm::max(bounds_.maximum, world + glm::dvec3(glyph.box_max));
+    }
+    if (instances_.empty()) bounds_.minimum = bounds_.maximum = centre_mm_;
+}
+
+const gpu::BoxAcceleration& GlyphScene::acceleration() {
+    if (!acceleration_ && !instances_.empty()) {
+        std::vector<gpu::Aabb> boxes(instances_.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const shader::GlyphInstance& glyph = instances_[i];
+            const glm::vec3 pad = kBoxPadding * (glm::abs(glyph.centre_high) + glyph.radius);
+            const glm::vec3 low = glyph.centre_high + glyph.box_min - pad, high = glyph.centre_high + glyph.box_max + pad;
+            boxes[i] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+        }
+        acceleration_ = gpu::BoxAcceleration(device_, boxes);
+    }
+    return acceleration_;
+}
+
+void GlyphScene::buildHierarchy() {
+    std::vector<glm::vec3> lows(instances_.size()), highs(instances_.size());
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const shader::GlyphInstance& glyph = instances_[i];
+        const glm::vec3 pad = kBoxPadding * (glm::abs(glyph.centre_high) + glyph.radius);
+        lows[i] = glyph.centre_high + glyph.box_min - pad;
+        highs[i] = glyph.centre_high + glyph.box_max + pad;
+    }
+    const Bvh bvh = buildBvh(lows, highs);
+    bvh_nodes_ = gpu::Buffer(device_, std::span(bvh.nodes).size_bytes(), gpu::Memory::kDevice, "glyph hierarchy");
+    bvh_order_ = gpu::Buffer(device_, std::max<std::size_t>(bvh.order.size(), 1) * 4, gpu::Memory::kDevice, "glyph order");
+    gpu::upload(device_, bvh_nodes_, 0, std::as_bytes(std::span(bvh.nodes)));
+    if (!bvh.order.empty()) gpu::upload(device_, bvh_order_, 0, std::as_bytes(std::span(bvh.order)));
+}
+
+const gpu::Buffer& GlyphScene::bvhNodes() {
+    if (!bvh_nodes_) buildHierarchy();
+    return bvh_nodes_;
+}
+
+const gpu::Buffer& GlyphScene::bvhOrder() {
+    if (!bvh_order_) buildHierarchy();
+    return bvh_order_;
+}
+
+plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width, int height) const {
+    plan::LayerFacts facts;
+    facts.layout = dataset_->image().layout;
+    facts.glyphs = instances_.size();
+    facts.glyphs_available = dataset_->image().voxels.size();
+    if (instances_.empty()) return facts;
+    const shader::CameraRays& rays = camera.rays;
+    const glm::vec3 right = rays.step_right / glm::dot(rays.step_right, rays.step_right);
+    const glm::vec3 up = rays.step_up / glm::dot(rays.step_up, rays.step_up);
+    const glm::vec3 eye = rays.inverse_distance > 0 ? -rays.forward / rays.inverse_distance : glm::vec3(0);
+    // Box areas in pixels over a sample of the glyphs that project into the picture.
+    double area = 0;
+    std::size_t sampled = 0;
+    const std::size_t stride = std::max<std::size_t>(1, instances_.size() / 4096);
+    const glm::vec2 half_picture(0.5F * static_cast<float>(width), 0.5F * static_cast<float>(height));
+    for (std::size_t i = 0; i < instances_.size(); i += stride, ++sampled) {
+        const shader::GlyphInstance& glyph = instances_[i];
+        const glm::vec3 centre = (glyph.centre_high - rays.reference_high) + (glyph.centre_low - rays.reference_low);
+        const float nearness = 1 + glm::dot(centre, rays.forward) * rays.inverse_distance;
+        if (nearness < 1e-4F) continue;
+        const glm::vec3 half = 0.5F * (glyph.box_max - glyph.box_min);
+        const glm::vec2 at(glm::dot(centre, right) / nearness, glm::dot(centre, up) / nearness);
+        const glm::vec2 size(glm::dot(half, glm::abs(right)) / nearness, glm::dot(half, glm::abs(up)) / nearness);
+        if (glm::any(glm::greaterThan(glm::abs(at), half_picture + size))) continue;
+        const glm::vec2 cut = glm::min(2.0F * size, 2.0F * half_picture);
+        area += static_cast<double>(cut.x) * static_cast<double>(cut.y);
+    }
+    // Close: within twice the largest radius of any glyph's centre; an exact test, as the table must never be used there.
+    if (rays.inverse_distance > 0) {
+        for (const shader::GlyphInstance& glyph : instances_) {
+            const glm::vec3 centre = (glyph.centre_high - rays.reference_high) + (glyph.centre_low - rays.reference_low);
+            if (glm::length(centre - eye) < 2 * glyph.radius) {
+                facts.camera_close = true;
+                break;
+            }
+        }
+    }
+    const double share = static_cast<double>(instances_.size()) / static_cast<double>(sampled);
+    const double pixels = static_cast<double>(width) * height;
+    facts.rays_per_glyph = std::min(area * share, pixels * 64) / static_cast<double>(instances_.size());
+    // Where the layer covers only part of the picture its boxes are as deep as its own outline is filled.
+    const glm::dvec3 extent = bounds_.maximum - bounds_.minimum;
+    const glm::dvec3 half = 0.5 * extent;
+    const double outline_x = std::min<double>(2 * glm::dot(half, glm::abs(glm::dvec3(right))), width);
+    const double outline_y = std::min<double>(2 * glm::dot(half, glm::abs(glm::dvec3(up))), height);
+    facts.depth_complexity = area * share / std::max(1.0, outline_x * outline_y);
+    return facts;
+}
+
+}  // namespace radiata::render

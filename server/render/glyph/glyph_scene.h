@@ -1,0 +1,58 @@
+// One glyph layer as it stands on the device: instances, boxes and traversal structures, kept until the layer's settings change.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "gpu/acceleration.h"
+#include "gpu/buffer.h"
+#include "model/scene.h"
+#include "plan/camera_rays.h"
+#include "plan/plan.h"
+#include "shaders/shared/glyph.glsl"
+#include "store/glyph_dataset.h"
+
+namespace radiata::render {
+
+/// Everything about a layer that does not depend on the camera. Boxes are relative to `centre_mm`.
+class GlyphScene {
+public:
+    /// \throws Error(kInvalidArgument, kResourceExhausted)
+    GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
+               const glm::dvec3& centre_mm);
+
+    const store::GlyphDataset& dataset() const { return *dataset_; }
+    const model::GlyphLayer& layer() const { return layer_; }
+    const glm::dvec3& centreMm() const { return centre_mm_; }
+    const std::vector<shader::GlyphInstance>& instances() const { return instances_; }
+    const gpu::Buffer& instanceBuffer() const { return instance_buffer_; }
+    const plan::SceneBounds& bounds() const { return bounds_; }
+
+    /// Built when first wanted: a frame by tile lists needs neither.
+    const gpu::BoxAcceleration& acceleration();
+    const gpu::Buffer& bvhNodes();
+    const gpu::Buffer& bvhOrder();
+
+    plan::LayerFacts facts(const plan::RebasedCamera& camera, int width, int height) const;
+
+private:
+    void makeInstances(const model::GlyphLayer& layer);
+    void buildHierarchy();
+
+    gpu::Device& device_;
+    std::shared_ptr<const store::GlyphDataset> dataset_;
+    model::GlyphLayer layer_;
+    glm::dvec3 centre_mm_;
+    std::vector<shader::GlyphInstance> instances_;
+    plan::SceneBounds bounds_;  ///< world
+    float largest_radius_ = 0;
+    gpu::Buffer instance_buffer_, bvh_nodes_, bvh_order_;
+    gpu::BoxAcceleration acceleration_;
+};
+
+/// World bounds of what a layer's selection can cover, before any glyph is scaled: its voxels, grown by one voxel.
+plan::SceneBounds selectionBounds(const store::GlyphDataset& dataset, const model::VoxelSelection& selection);
+
+}  // namespace radiata::render

@@ -1,0 +1,44 @@
+// One SH image on the device, with what planning and picking need of it on the CPU.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "build/bounds.h"
+#include "gpu/buffer.h"
+#include "model/dataset.h"
+#include "model/sh_image.h"
+
+namespace radiata::store {
+
+/// Immutable but for a cache of bounds; thread-safe.
+class GlyphDataset {
+public:
+    /// Uploads the coefficients. \throws Error(kResourceExhausted) naming the dataset and its bytes
+    GlyphDataset(gpu::Device& device, const std::string& id, model::ShImage image);
+
+    const model::DatasetInfo& info() const { return info_; }
+    const model::ShImage& image() const { return image_; }
+    /// float[glyphs][layout.count()], addressed by slot
+    const gpu::Buffer& coefficients() const { return coefficients_; }
+
+    /// Certified bounds of some slots' glyphs with bands up to `lmax`, in units of amplitude.
+    std::vector<GlyphBounds> bounds(std::span<const std::uint32_t> slots, int lmax, bool negative_lobes) const;
+
+private:
+    struct Cache {
+        std::vector<GlyphBounds> bounds;
+        std::vector<bool> known;
+    };
+    model::ShImage image_;
+    model::DatasetInfo info_;
+    gpu::Buffer coefficients_;
+    mutable std::mutex mutex_;
+    mutable std::map<std::pair<int, bool>, Cache> cache_;
+};
+
+}  // namespace radiata::store

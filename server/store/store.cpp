@@ -1,0 +1,127 @@
+#include "store/store.h"
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "base/error.h"
+#include "gpu/device.h"
+#include "io/sh_image.h"
+#include "store/glyph_dataset.h"
+
+namespace radiata::store {
+namespace {
+
+constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih"};
+
+/// File name without its image suffix, or nothing if it is no image.
+std::string stemOf(const std::filesystem::path& path) {
+    const std::string file = path.filename().string();
+    for (const std::string_view suffix : kSuffixes) {
+        if (file.size() > suffix.size() && file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
+    }
+    return {};
+}
+
+bool validId(const std::string& id) {
+    return !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), [](char c) {
+        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+    });
+}
+
+std::string idOf(const std::string& stem) {
+    std::string id;
+    for (const char c : stem.substr(0, 60)) {
+        const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+        id += validId(std::string(1, lower)) ? lower : '_';
+    }
+    return id;
+}
+
+}  // namespace
+
+struct Store::Impl {
+    struct Slot {
+        std::filesystem::path path;
+        std::shared_ptr<const GlyphDataset> dataset;
+    };
+    gpu::Device& device;
+    io::ShOptions options;
+    std::mutex mutex;  ///< held while a dataset loads, so that it loads once
+    std::map<std::string, Slot> slots;
+};
+
+Store::Store(gpu::Device& device, io::ShOptions options) : impl_(new Impl{device, options, {}, {}}) {}
+Store::~Store() = default;
+
+std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file) {
+    std::vector<std::filesystem::path> files;
+    std::error_code failure;
+    if (std::filesystem::is_directory(folder_or_file, failure)) {
+        for (const auto& entry : std::filesystem::directory_iterator(folder_or_file, failure)) {
+            if (entry.is_regular_file(failure) && !stemOf(entry.path()).empty()) files.push_back(entry.path());
+        }
+        std::sort(files.begin(), files.end());
+    } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
+        if (stemOf(folder_or_file).empty()) {
+            throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
+                                                "' is no .nii, .nii.gz, .mif, .mif.gz or .mih file");
+        }
+        files.push_back(folder_or_file);
+    } else {
+        throw Error(Code::kNotFound, "data: there is no file or folder '" + folder_or_file.string() + "'");
+    }
+    std::lock_guard lock(impl_->mutex);
+    std::vector<CatalogEntry> added;
+    for (const auto& file : files) {
+        const std::string stem = idOf(stemOf(file));
+        std::string id = stem;
+        for (int n = 2; impl_->slots.contains(id); ++n) id = stem + "-" + std::to_string(n);
+        impl_->slots[id] = {file, nullptr};
+        added.push_back({id, file});
+    }
+    return added;
+}
+
+void Store::add(const std::string& id, model::ShImage image) {
+    if (!validId(id)) {
+        throw Error(Code::kInvalidArgument, "dataset id '" + id + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
+    }
+    auto dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
+    std::lock_guard lock(impl_->mutex);
+    if (impl_->slots.contains(id)) throw Error(Code::kInvalidArgument, "dataset id '" + id + "' is taken");
+    impl_->slots[id] = {{}, std::move(dataset)};
+}
+
+std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
+    std::lock_guard lock(impl_->mutex);
+    const auto found = impl_->slots.find(id);
+    if (found == impl_->slots.end()) {
+        throw Error(Code::kNotFound, "there is no dataset '" + id.substr(0, 64) + "'; the catalogue lists " +
+                                         std::to_string(impl_->slots.size()) + " datasets");
+    }
+    if (!found->second.dataset) {
+        found->second.dataset =
+            std::make_shared<const GlyphDataset>(impl_->device, id, io::readShImage(found->second.path, impl_->options));
+    }
+    return found->second.dataset;
+}
+
+model::DatasetInfo Store::info(const std::string& id) { return glyphs(id)->info(); }
+
+std::vector<model::DatasetInfo> Store::list() {
+    std::lock_guard lock(impl_->mutex);
+    std::vector<model::DatasetInfo> infos;
+    for (const auto& [id, slot] : impl_->slots) {
+        if (slot.dataset) {
+            infos.push_back(slot.dataset->info());
+        } else {
+            model::DatasetInfo info;
+            info.id = id;
+            infos.push_back(info);
+        }
+    }
+    return infos;
+}
+
+}  // namespace radiata::store

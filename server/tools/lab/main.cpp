@@ -1,0 +1,65 @@
+// radiata-lab: what accuracy costs in time. In-process, no gRPC; needs nothing but the Vulkan loader and the C++ runtime.
+#include <cstdio>
+#include <fstream>
+
+#include <CLI/CLI.hpp>
+
+#include "base/error.h"
+#include "tools/lab/experiment.h"
+
+using namespace radiata;
+
+namespace {
+
+int run(const std::string& name, const gpu::DeviceOptions& device_options, const lab::Options& options,
+        const std::string& json_file, bool check) {
+    for (const lab::Experiment& experiment : lab::experiments()) {
+        if (experiment.name != name) continue;
+        gpu::Device device(device_options);
+        const lab::Report report = experiment.run(device, options);
+        lab::print(report);
+        if (!json_file.empty()) {
+            std::ofstream file(json_file);
+            file << lab::toJson(report).dump(1) << '\n';
+            if (!file.good()) throw Error(Code::kInvalidArgument, "--json: '" + json_file + "' cannot be written");
+        }
+        if (!check) return 0;
+        bool good = report.shortfalls.empty();
+        for (const lab::Check& figure : report.checks) good = good && figure.holds();
+        return good ? 0 : 1;
+    }
+    throw Error(Code::kNotFound, "there is no experiment '" + name + "'; radiata-lab list names them");
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    CLI::App app{"Measures what accuracy costs in time."};
+    app.require_subcommand(1);
+    CLI::App* list = app.add_subcommand("list", "Names the experiments");
+    CLI::App* run_command = app.add_subcommand("run", "Runs one experiment");
+    std::string name, json_file;
+    bool check = false;
+    gpu::DeviceOptions device_options;
+    lab::Options options;
+    run_command->add_option("name", name, "Experiment")->required();
+    run_command->add_option("--size", options.size, "Height of the picture in pixels")->check(CLI::Range(16, 4096));
+    run_command->add_option("--image", options.image, "SH image to measure on; a phantom if absent")->check(CLI::ExistingFile);
+    run_command->add_option("--repeats", options.repeats, "Rounds after warm-up")->check(CLI::Range(1, 1000));
+    run_command->add_option("--json", json_file, "Writes all values to this file");
+    run_command->add_option("--device", device_options.device, "Number or part of the name of the device");
+    run_command->add_flag("--check", check, "Exit status 1 unless all figures hold at full size, view and repeats");
+    CLI11_PARSE(app, argc, argv);
+    try {
+        if (list->parsed()) {
+            for (const lab::Experiment& experiment : lab::experiments()) {
+                std::printf("%-22s %s\n", experiment.name.c_str(), experiment.about.c_str());
+            }
+            return 0;
+        }
+        return run(name, device_options, options, json_file, check);
+    } catch (const std::exception& error) {
+        std::fprintf(stderr, "radiata-lab: %s\n", error.what());
+        return 3;
+    }
+}
