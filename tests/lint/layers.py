@@ -14,11 +14,13 @@ import tree
 # Left to right; a library links only libraries of earlier groups.
 ORDER = [{"base"}, {"math"}, {"model"}, {"io", "build", "plan", "reference", "encode", "gpu"}, {"store"},
          {"render/glyph", "render/fiblet", "render/isosurface", "render/light"}, {"render/frame"}, {"session"}, {"service"}]
+# Programs are no libraries. The measuring program runs where there is no gRPC.
+TOOLS = {"tools": lambda table: set(table) | {"tools"}, "tools/lab": lambda table: set(table) - {"service", "session"} | {"tools/lab"}}
 # Which libraries may include these headers.
 PROTOBUF = (r"(google/protobuf|grpc|grpcpp|grpc\+\+|radiata/v1)/", {"service", "tools"})
 VULKAN = (r"(vulkan/|volk\.h|vk_video/)", {"gpu", "store", "render/glyph", "render/fiblet", "render/isosurface", "render/light", "render/frame"})
 # Headers that anybody may include from there: structs that C++ and GLSL share, and the embedded modules.
-SHADER_HEADERS = {"build": r"shaders/shared/", "plan": r"shaders/shared/", "store": r"shaders/", "render": r"shaders/"}
+SHADER_HEADERS = {"build": r"shaders/shared/", "plan": r"shaders/shared/", "store": r"shaders/", "render": r"shaders/", "tools": r"shaders/"}
 REFERENCE_MAY = r"(reference/|model/|base/|glm/|math/(?!sh_evaluate|polar|sh_rotation))"
 CLIENT_MAY = r"(common|cli|load|base|math|model|io)/"
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')
@@ -49,7 +51,7 @@ def closure(table, library):
 def library_of(path, table):
     """The library a path under server/ belongs to, or None."""
     folder = posixpath.dirname(path)
-    return folder if folder in table or folder == "tools" else None
+    return folder if folder in table or folder in TOOLS else None
 
 
 def check_server(table, name):
@@ -58,7 +60,7 @@ def check_server(table, name):
     if own is None:
         yield f"{name}: the folder is no library of server/CMakeLists.txt"
         return
-    allowed = set(table) | {"tools"} if own == "tools" else closure(table, own)
+    allowed = TOOLS[own](table) if own in TOOLS else closure(table, own)
     room = own.split("/")[0]
     for number, bracket, header in includes(name):
         where = f"{name}:{number}: includes {header}"
