@@ -99,6 +99,7 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     message.set_glyph_count(info.glyph_count);
     message.set_rejected_voxels(info.rejected_voxels);
     message.set_amplitude_max(info.amplitude_max);
+    message.set_amplitude_typical(info.amplitude_typical);
     message.set_gpu_bytes(info.gpu_bytes);
     *message.mutable_bounds_world()->mutable_minimum() = toProto(info.bounds_min);
     *message.mutable_bounds_world()->mutable_maximum() = toProto(info.bounds_max);

@@ -19,10 +19,10 @@ glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
 }
 
 /// mm per unit of amplitude.
-double scaleOf(const model::GlyphScale& scale, double half_voxel, float dataset_max, float glyph_max) {
+double scaleOf(const model::GlyphScale& scale, double half_voxel, float dataset_typical, float glyph_max) {
     const double factor = scale.factor;
     if (scale.mode == model::ScaleMode::kAbsolute) return factor;
-    const double largest = scale.mode == model::ScaleMode::kGlobal ? dataset_max : glyph_max;
+    const double largest = scale.mode == model::ScaleMode::kGlobal ? dataset_typical : glyph_max;
     return largest > 0 ? factor * half_voxel / largest : 0;
 }
 
@@ -69,7 +69,7 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
     bounds_.maximum = -bounds_.minimum;
     instances_.reserve(slots.size());
     for (std::size_t i = 0; i < slots.size(); ++i) {
-        const double scale = scaleOf(layer.scale, half_voxel, dataset_->info().amplitude_max, boxes[i].amplitude_max);
+        const double scale = scaleOf(layer.scale, half_voxel, dataset_->info().amplitude_typical, boxes[i].amplitude_max);
         const auto mm = static_cast<float>(scale);
         // Glyphs without a visible lobe, or too small or large for float, have nothing to hit.
         if (!(boxes[i].radius * mm > 1e-20F) || !(boxes[i].radius * mm < 1e18F) || !std::isnormal(mm)) continue;
