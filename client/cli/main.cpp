@@ -12,7 +12,7 @@ int body(int argc, char** argv) {
     CLI::App app("Client of a Radiata server. Pictures are not for diagnostic use.", "radiata");
     radiata::client::ConnectionOptions connection;
     radiata::client::addConnectionOptions(app, connection);
-    app.require_subcommand(1);
+    app.require_subcommand(0, 1);
     app.fallthrough();
     app.footer("Exit codes: 0 well, 2 usage, 3 server not reachable, 4 request refused, 5 output cannot be written.");
     radiata::client::addCatalogCommands(app, connection);
@@ -22,6 +22,10 @@ int body(int argc, char** argv) {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {
         return app.exit(help);
+    }
+    // Asked for here, because CLI11 would not name a misspelt command.
+    if (app.get_subcommands().empty()) {
+        throw radiata::client::ClientError(radiata::client::ExitCode::kUsage, "a command is needed; --help lists them");
     }
     return 0;
 }

@@ -1,5 +1,6 @@
 #include "common/request_options.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "common/camera_json.h"
@@ -30,7 +31,10 @@ void addWords(CLI::App& app, const std::string& name, Enum& value, const google:
     app.add_option_function<std::string>(
            name,
            [&value, words, name, list](const std::string& word) {
-               const auto found = words.find(word);
+               // The server's own lists write ray_query; both spellings are understood.
+               std::string spelled = word;
+               std::replace(spelled.begin(), spelled.end(), '_', '-');
+               const auto found = words.find(spelled);
                if (found == words.end()) throw CLI::ValidationError(name, "'" + word + "' is not one of " + list);
                value = found->second;
            },
@@ -157,7 +161,8 @@ void completeRequest(v1::FrameRequest& request, const Connection& connection) {
     fit.set_dataset_id(glyphs.dataset_id());
     *fit.mutable_selection() = glyphs.selection();
     fit.set_convention(request.scene().annotations().convention());
-    fit.set_aspect(request.height() > 0 ? static_cast<double>(request.width()) / request.height() : 1);
+    // Kept within what FitCamera takes, so that an impossible size is refused where the picture is asked for, as a size.
+    fit.set_aspect(std::clamp(static_cast<double>(request.width()) / std::max(request.height(), 1U), 0.05, 20.0));
     grpc::ClientContext context;
     connection.prepare(context);
     v1::FitCameraResponse response;

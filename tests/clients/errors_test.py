@@ -24,7 +24,7 @@ class ErrorsTest(ClientTest):
 
     def test_usage(self):
         out = self.folder / "a.png"
-        for arguments, word in (([], "subcommand"),
+        for arguments, word in (([], "command is needed"),
                                 (["rendr"], "rendr"),
                                 (["render"], "-o FILE"),
                                 (["render", "-o", out, "--plane", "diagonal"], "diagonal"),

@@ -28,9 +28,10 @@ class ServerProcess:
             if found:
                 self.address = found.group(0)
                 return
-        self.stop()
         self.log.seek(0)
-        raise RuntimeError(f"{command[0]} printed no address: {''.join(lines)}{self.log.read()}")
+        lines.append(self.log.read())
+        self.stop()
+        raise RuntimeError(f"{command[0]} printed no address: {''.join(lines)}")
 
     def stop(self):
         """Ends the process; returns its exit status."""
@@ -42,6 +43,7 @@ class ServerProcess:
                 self.process.kill()
                 self.process.wait()
         self.process.stdout.close()
+        self.log.close()
         return self.process.returncode
 
 

@@ -74,7 +74,9 @@ class Client:
         """A FrameRequest of frame_request's options; without a camera the one that fits the selection."""
         request = frame_request(dataset, **options)
         if not request.HasField("camera"):
-            fit = catalog_pb2.FitCameraRequest(dataset_id=dataset, aspect=request.width / max(1, request.height))
+            # Kept within what FitCamera takes, so that an impossible size is refused as a size.
+            aspect = min(max(request.width / max(1, request.height), 0.05), 20)
+            fit = catalog_pb2.FitCameraRequest(dataset_id=dataset, aspect=aspect)
             fit.selection.CopyFrom(request.scene.layers[0].glyphs.selection)
             fit.convention = request.scene.annotations.convention
             request.camera.CopyFrom(self._call(self._catalog.FitCamera, fit).camera)

@@ -53,23 +53,22 @@ class View:
         return Frame(response.frame)
 
     def update(self, camera=None, scene=None, quality=None, size=None):
-        """Moves the camera or changes what is shown; returns the camera sequence that the answering frames echo."""
+        """Moves the camera or changes what is shown; returns the sequence number that the answering frames echo."""
         request = view_pb2.UpdateRequest(client_time_ms=time.time() * 1e3)
         if camera is not None:
             request.camera.CopyFrom(as_camera(camera))
-            with self._lock:
-                self._camera_sequence += 1
         if scene is not None:
             request.scene.CopyFrom(scene)
         if quality is not None:
             request.quality.CopyFrom(quality)
         if size is not None:
             request.width, request.height = size
-        return self._send(request)
+        return self._send(request, changes=True)
 
-    def _send(self, request):
+    def _send(self, request, changes=False):
         request.view_id = self.id
         with self._lock:
+            self._camera_sequence += changes
             request.acknowledged_sequence = self._acknowledged
             request.camera_sequence = self._camera_sequence
         try:
