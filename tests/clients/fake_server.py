@@ -1,5 +1,5 @@
-"""A server that misbehaves on purpose, for what the real one never does: arrays of the wrong size, frames without a picture, views that
-end early, a health service that says NOT_SERVING. Prints its port.
+"""A server that misbehaves on purpose, for what the real one never does: arrays of the wrong size, frames without a
+picture, views that end early, a health service that says NOT_SERVING. Prints its port.
 
     fake_server.py MODE     MODE: array, picture, view, health
 """

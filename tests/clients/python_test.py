@@ -30,7 +30,8 @@ class PackageTest(ClientTest):
         self.assertGreater(camera.height_mm, 0)
 
     def test_render_gives_a_png_and_arrays(self):
-        outputs = {"depth": ("f4", ()), "id": ("i4", (4,)), "position": ("f4", (3,)), "normal": ("f4", (3,)), "steps": ("i4", ())}
+        outputs = {"depth": ("f4", ()), "id": ("i4", (4,)), "position": ("f4", (3,)), "normal": ("f4", (3,)),
+                   "steps": ("i4", ())}
         frame = self.client.render(DATASET, size=(96, 64), samples=2, camera=CAMERA, outputs=list(outputs))
         self.assertEqual(png_size(frame.png), (96, 64))
         self.assertEqual(set(frame.arrays), set(outputs))
@@ -44,8 +45,8 @@ class PackageTest(ClientTest):
 
     def test_same_picture_as_the_command_line(self):
         frame = self.client.render(DATASET, size=(96, 64), plane="sagittal", scale="per-glyph", lobes="shown", samples=3)
-        self.radiata("render", "--size", "96x64", "--plane", "sagittal", "--scale", "per-glyph", "--lobes", "shown", "--samples",
-                     "3", "-o", self.folder / "a.png")
+        self.radiata("render", "--size", "96x64", "--plane", "sagittal", "--scale", "per-glyph", "--lobes", "shown",
+                     "--samples", "3", "-o", self.folder / "a.png")
         self.assertEqual(frame.png, (self.folder / "a.png").read_bytes())
 
     def test_stream_comes_to_rest_and_follows_the_camera(self):
@@ -89,16 +90,22 @@ class PackageTest(ClientTest):
         path = self.folder / "path.json"
         path.write_text(json.dumps([CAMERA, {**CAMERA, "height_mm": 60.0}]))
         out = self.folder / "out"
-        command = [sys.executable, SOURCE / "client/python/examples/render_path.py", "--server", self.server.address, "--dataset",
-                   DATASET, "--path", path, "--output", out, "--size", "96", "64", "--samples", "1", "--outputs", "depth", "normal"]
-        done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+        example = SOURCE / "client/python/examples/render_path.py"
+        command = [sys.executable, example, "--server", self.server.address, "--dataset", DATASET, "--path", path, "--output",
+                   out, "--size", "96", "64", "--samples", "1", "--outputs", "depth", "normal"]
+
+        def example_run():
+            return subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+                                  timeout=60)
+
+        done = example_run()
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(len(done.stdout.splitlines()), 2)
         names = sorted(entry.name for entry in pathlib.Path(out).iterdir())
         self.assertEqual(names, [f"frame-000{i}{part}" for i in (1, 2) for part in ("-depth.npy", "-normal.npy", ".png")])
         self.assertEqual(np.load(out / "frame-0002-normal.npy").shape, (64, 96, 3))
         command[command.index(DATASET)] = "nobody"
-        done = subprocess.run([str(part) for part in command], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, timeout=60)
+        done = example_run()
         self.assertEqual(done.returncode, 1)
         self.assertRegex(done.stderr, r"\Arender_path: [^\n]*nobody[^\n]*\n\Z")
 

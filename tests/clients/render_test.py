@@ -46,7 +46,8 @@ class RenderTest(ClientTest):
     def test_info_echoes_what_was_asked(self):
         self.render("--dataset", DATASET, "--plane", "oblique", "--position", "1,-2,3.5", "--normal", "0,1,1", "--slab", "4",
                     "--scale", "per-glyph", "--factor", "0.5", "--lmax", "4", "--lobes", "shown", "--samples", "3",
-                    "--intersection", "march", "--traversal", "ray_query", "--pole-table", "off", "--light", "-1,1,2", "--irradiance", "2",
+                    "--intersection", "march", "--traversal", "ray_query", "--pole-table", "off",
+                    "--light", "-1,1,2", "--irradiance", "2",
                     "--ambient", "0.25", "--background", "0.5,0.25,0", "--convention", "neurological", "--no-annotations",
                     "--opacity", "0.5", "--camera", json.dumps(CAMERA), "--info", self.folder / "info.json")
         info = json.loads((self.folder / "info.json").read_text())

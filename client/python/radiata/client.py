@@ -64,7 +64,7 @@ class Client:
         return self._call(self._limits.GetLimits, limits_pb2.GetLimitsRequest())
 
     def fit_camera(self, dataset, aspect=16 / 9, convention=None, **selection):
-        """A camera that shows the selection (plane, position_mm, normal, slab_mm, volume) of a dataset; aspect = width / height."""
+        """A camera that shows a selection (plane, position_mm, normal, slab_mm, volume); aspect is width / height."""
         request = catalog_pb2.FitCameraRequest(dataset_id=dataset, aspect=aspect)
         request.selection.CopyFrom(voxel_selection(**selection))
         request.convention = enum_value(scene_pb2.Annotations.Convention, "CONVENTION_", convention)
