@@ -33,7 +33,7 @@ public:
 
     /// Health says NOT_SERVING, streams end with UNAVAILABLE, what is left after `grace` is cut off. Returns when all calls
     /// ended.
-    void stop(std::chrono::milliseconds grace = std::chrono::milliseconds(1200));
+    void stop(std::chrono::milliseconds grace = std::chrono::milliseconds(500));
 
 private:
     struct Services;

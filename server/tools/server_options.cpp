@@ -1,0 +1,111 @@
+#include "tools/server_options.h"
+
+#include <cstdlib>
+#include <map>
+
+#include <CLI/CLI.hpp>
+
+namespace radiata::tools {
+namespace {
+
+/// $XDG_CACHE_HOME/radiata/pipelines, or nothing where there is no home.
+std::filesystem::path defaultPipelineCache() {
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) {
+        return std::filesystem::path(cache) / "radiata" / "pipelines";
+    }
+    if (const char* home = std::getenv("HOME"); home && *home) {
+        return std::filesystem::path(home) / ".cache" / "radiata" / "pipelines";
+    }
+    return {};
+}
+
+/// "width=4096" and so on. \throws CLI::ValidationError
+void applyLimit(const std::string& text, model::Limits& limits) {
+    const std::size_t equals = text.find('=');
+    const std::string key = text.substr(0, equals);
+    std::uint64_t value = 0;
+    const bool number = equals != std::string::npos && CLI::detail::lexical_cast(text.substr(equals + 1), value);
+    if (!number || value < 1 || value > (1U << 30)) {
+        throw CLI::ValidationError("--limits", "\"" + text + "\" is not KEY=NUMBER with a number of 1 to 1073741824");
+    }
+    if (key == "pixels") {
+        limits.pixels_max = std::min<std::uint64_t>(value, encode::kPixelsMax);
+        return;
+    }
+    const std::map<std::string, int*> keys = {{"width", &limits.width_max},
+                                              {"height", &limits.height_max},
+                                              {"samples", &limits.samples_max},
+                                              {"views", &limits.views_max},
+                                              {"window", &limits.window_max}};
+    const auto found = keys.find(key);
+    if (found == keys.end()) {
+        throw CLI::ValidationError("--limits", "\"" + key + "\" is not width, height, pixels, samples, views or window");
+    }
+    *found->second = static_cast<int>(value);
+}
+
+/// What CLI11 fills in before it becomes options.
+struct Texts {
+    std::string convention, axes, traversal;
+    std::vector<std::string> limits;
+};
+
+void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
+    app.add_option("--listen", options.server.listen, "HOST:PORT to serve on; port 0 takes a free one")->capture_default_str();
+    app.add_flag("--allow-remote", options.server.allow_remote,
+                 "Let --listen name an address that other machines reach; there is no encryption or login here");
+    app.add_option("--data", options.data, "Folder of SH images, or one image; may be repeated");
+    app.add_option("--device", options.device.device, "Vulkan device: its number in --list-devices, or a part of its name");
+    app.add_flag("--list-devices", options.list_devices, "Print the Vulkan devices and end");
+    app.add_option("--without", options.device.without, "Device feature to leave unused, e.g. ray_query; may be repeated");
+    app.add_flag("--validation", options.device.validation, "Vulkan validation layers, with synchronisation validation");
+    app.add_option("--traversal", texts.traversal, "Way of finding glyphs for requests that leave it open")
+        ->check(CLI::IsMember({"auto", "ray_query", "bvh", "tiles"}));
+    app.add_option("--sh-convention", texts.convention,
+                   "How to read SH images: descoteaux07, descoteaux07_legacy, tournier07, mrtrix0.2");
+    app.add_option("--sh-axes", texts.axes, "Axes of the directions in SH images: world, voxel");
+    app.add_option("--pipeline-cache", options.device.pipeline_cache, "File that keeps compiled pipelines")
+        ->capture_default_str();
+    app.add_option("--limits", texts.limits,
+                   "KEY=NUMBER; keys: width, height, pixels, samples, views, window; may be repeated");
+    app.add_option("--stub-render", options.stub_render_ms,
+                   "Paint instead of rendering, MS milliseconds a sample; needs no device")
+        ->check(CLI::Range(0, 60'000));
+    app.add_option("--threads", options.settings.encoder_threads, "Threads that encode pictures")
+        ->check(CLI::Range(1, 64))
+        ->capture_default_str();
+    app.add_option("--font", options.settings.font, "TrueType file for the marks on pictures")->capture_default_str();
+    app.add_option("--log-level", options.log_level, "What is logged")
+        ->check(CLI::IsMember({"debug", "info", "warn", "error", "off"}))
+        ->capture_default_str();
+}
+
+void finish(ProgramOptions& options, const Texts& texts) {
+    if (!texts.convention.empty()) options.sh.convention = shConventionFromName(texts.convention);
+    if (!texts.axes.empty()) options.sh.axes = shAxesFromName(texts.axes);
+    if (texts.traversal == "ray_query") options.traversal = model::Traversal::kRayQuery;
+    if (texts.traversal == "bvh") options.traversal = model::Traversal::kBvh;
+    if (texts.traversal == "tiles") options.traversal = model::Traversal::kTiles;
+    for (const std::string& limit : texts.limits) applyLimit(limit, options.settings.limits);
+}
+
+}  // namespace
+
+std::optional<ProgramOptions> parseOptions(int argc, char** argv, int& exit_code) {
+    ProgramOptions options;
+    options.device.pipeline_cache = defaultPipelineCache();
+    Texts texts;
+    CLI::App app("Renders diffusion-MRI pictures on the GPU and streams them over gRPC. Not for diagnostic use.",
+                 "radiata-server");
+    addFlags(app, options, texts);
+    try {
+        app.parse(argc, argv);
+        finish(options, texts);
+    } catch (const CLI::ParseError& error) {
+        exit_code = app.exit(error);
+        return std::nullopt;
+    }
+    return options;
+}
+
+}  // namespace radiata::tools
