@@ -89,9 +89,13 @@ CircleHit circleMarch(const vec2 F[CIRCLE_HARMONICS + 1], float h, float radius,
     const float last_sine = h / reach;
     vec2 angle = vec2(sqrt((1.0 - last_sine) * (1.0 + last_sine)), last_sine);
     // The ray may begin behind that point: angles grow from the near side, so a smaller cosine is later.
-    if (start.y >= 0.0 && start.x < angle.x) angle = start;
+    const bool begins_late = start.y >= 0.0 && start.x < angle.x;
+    if (begins_late) angle = start;
     const float slack = kCircleSlack * bounds.sum;
     uint steps = 0u;
+    // Which side of +h and -h the ray was on. Rounding of a steep G can carry a step over a root by more than the slack; a change of side
+    // is then the hit. On the sphere around the glyph the ray is outside whatever rounding says.
+    bool was_above = false, was_below = false;
     bool more = true;
     while (more) {
         const vec3 g = circleEvaluate(F, angle);
@@ -101,17 +105,26 @@ CircleHit circleMarch(const vec2 F[CIRCLE_HARMONICS + 1], float h, float radius,
         // Gap to +h, and to -h if negative lobes count; measured from whichever side the ray is on.
         const float up = h - value, up_side = up >= 0.0 ? 1.0 : -1.0;
         const float down = h + value, down_side = down >= 0.0 ? 1.0 : -1.0;
-        const bool at_up = abs(up) <= slack && g.x > 0.0;
-        const bool at_down = both_lobes && abs(down) <= slack && g.x < 0.0;
+        if (steps == 0u && begins_late) {
+            was_above = up < 0.0;
+            was_below = down < 0.0;
+        }
+        const bool crossed_up = (up < 0.0) != was_above;
+        const bool crossed_down = both_lobes && (down < 0.0) != was_below;
+        was_above = up < 0.0;
+        was_below = down < 0.0;
+        const bool at_up = crossed_up || (abs(up) <= slack && g.x > 0.0);
+        const bool at_down = crossed_down || (both_lobes && abs(down) <= slack && g.x < 0.0);
         ++steps;
         if (at_up || at_down) {
-            // One Newton step towards the root, in the direction of travel only.
+            // One Newton step towards the root; backwards only if it was crossed.
             const float gap = at_up ? abs(up) : abs(down);
             const float towards = at_up ? up_side * slope : -down_side * slope;
-            const float turn = towards > 0.0 ? min(gap / towards, 1e-3) : 0.0;
+            const float newton = towards != 0.0 ? clamp(gap / towards, -1e-3, 1e-3) : 0.0;
+            const float turn = crossed_up || crossed_down ? newton : max(newton, 0.0);
             hit.angle = normalize(vec2(angle.x - turn * angle.y, angle.y + turn * angle.x));
             hit.value = g.x + turn * g.y;
-            if (hit.value == 0.0) hit.value = at_up ? 1e-30 : -1e-30;
+            hit.value = at_up ? max(hit.value, 1e-30) : min(hit.value, -1e-30);
             more = false;
         } else {
             float reach2 = circleReach(abs(up), up_side * slope, bounds.m2);
