@@ -93,7 +93,8 @@ export class App {
     ]);
     this.limits = { widthMax: limits.widthMax, heightMax: limits.heightMax, pixelsMax: Number(limits.pixelsMax) };
     this.datasets = catalog.datasets;
-    const first = this.datasets[0];
+    // The first with the highest band: an image of one volume is a scalar one more often than not.
+    const first = this.datasets.reduce<Dataset | undefined>((best, d) => (!best || d.lmax > best.lmax ? d : best), undefined);
     if (!first) throw new ConnectError("The server has no datasets to show.", Code.Unavailable);
     const former = this.settings;
     if (!former) this.settings = defaultSettings(first);
