@@ -76,9 +76,10 @@ std::vector<float> gather(const std::vector<float>& data, std::size_t voxel_coun
 
 }  // namespace
 
-model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& options) {
-    const std::string file = path.filename().string();
-    const StoredImage stored = readStoredImage(path);
+namespace {
+
+/// The image without its voxels, from a checked header.
+model::ShImage fromHeader(const StoredImage& stored, const ShOptions& options, const std::string& file) {
     model::ShImage image;
     image.layout = layoutOf(stored, options, file);
     for (int axis = 0; axis < 3; ++axis) {
@@ -93,7 +94,18 @@ model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& o
     image.file_convention = options.convention.value_or(ShConvention::kTournier07);
     image.file_axes = options.axes.value_or(ShAxes::kWorld);
     image.source = file;
+    return image;
+}
 
+}  // namespace
+
+model::ShImage readShHeader(const std::filesystem::path& path, const ShOptions& options) {
+    return fromHeader(readStoredImage(path), options, path.filename().string());
+}
+
+model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& options) {
+    const StoredImage stored = readStoredImage(path);
+    model::ShImage image = fromHeader(stored, options, path.filename().string());
     const std::vector<float> data = readSamples(stored);
     const std::size_t voxel_count = data.size() / image.layout.count();
     const std::vector<VoxelKind> kinds = classify(data, voxel_count);

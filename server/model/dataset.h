@@ -21,7 +21,7 @@ struct DatasetInfo {
     std::uint64_t glyph_count = 0;
     std::uint64_t rejected_voxels = 0;
     float amplitude_max = 0;
-    float amplitude_typical = 0;  ///< 95 % of the glyphs' largest amplitudes are below it; what global scaling divides by
+    float amplitude_typical = 0;  ///< three quarters of the glyphs stay below it; what global scaling divides by
     std::uint64_t gpu_bytes = 0;
     glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs
 };

@@ -43,7 +43,7 @@ GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::Sh
     for (const GlyphBounds& glyph : bounds(all, image_.layout.lmax, false)) amplitudes.push_back(glyph.amplitude_max);
     if (!amplitudes.empty()) {
         info_.amplitude_max = *std::max_element(amplitudes.begin(), amplitudes.end());
-        const auto at = amplitudes.begin() + static_cast<std::ptrdiff_t>((amplitudes.size() - 1) * 19 / 20);
+        const auto at = amplitudes.begin() + static_cast<std::ptrdiff_t>((amplitudes.size() - 1) * 3 / 4);
         std::nth_element(amplitudes.begin(), at, amplitudes.end());
         info_.amplitude_typical = *at > 0 ? *at : info_.amplitude_max;
     }

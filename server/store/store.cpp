@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <mutex>
 
 #include "base/error.h"
 #include "gpu/device.h"
@@ -43,15 +44,28 @@ std::string idOf(const std::string& stem) {
 struct Store::Impl {
     struct Slot {
         std::filesystem::path path;
+        std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
         std::shared_ptr<const GlyphDataset> dataset;
     };
     gpu::Device& device;
     io::ShOptions options;
-    std::mutex mutex;  ///< held while a dataset loads, so that it loads once
-    std::map<std::string, Slot> slots;
+    std::function<void(const std::string&)> log;
+    std::mutex mutex;  ///< of the table, never held while anything loads
+    std::map<std::string, std::shared_ptr<Slot>> slots;
+
+    std::shared_ptr<Slot> find(const std::string& id) {
+        std::lock_guard lock(mutex);
+        const auto found = slots.find(id);
+        if (found == slots.end()) {
+            throw Error(Code::kNotFound, "there is no dataset '" + id.substr(0, 64) + "'; the catalogue lists " +
+                                             std::to_string(slots.size()) + " datasets");
+        }
+        return found->second;
+    }
 };
 
-Store::Store(gpu::Device& device, io::ShOptions options) : impl_(new Impl{device, options, {}, {}}) {}
+Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
+    : impl_(new Impl{device, options, std::move(log), {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file) {
@@ -77,7 +91,9 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         const std::string stem = idOf(stemOf(file));
         std::string id = stem;
         for (int n = 2; impl_->slots.contains(id); ++n) id = stem + "-" + std::to_string(n);
-        impl_->slots[id] = {file, nullptr};
+        auto slot = std::make_shared<Impl::Slot>();
+        slot->path = file;
+        impl_->slots[id] = std::move(slot);
         added.push_back({id, file});
     }
     return added;
@@ -88,38 +104,52 @@ void Store::add(const std::string& id, model::ShImage image) {
         throw Error(Code::kInvalidArgument, "dataset id '" + id + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
     }
     auto dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->dataset = std::move(dataset);
     std::lock_guard lock(impl_->mutex);
     if (impl_->slots.contains(id)) throw Error(Code::kInvalidArgument, "dataset id '" + id + "' is taken");
-    impl_->slots[id] = {{}, std::move(dataset)};
+    impl_->slots[id] = std::move(slot);
 }
 
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
-    std::lock_guard lock(impl_->mutex);
-    const auto found = impl_->slots.find(id);
-    if (found == impl_->slots.end()) {
-        throw Error(Code::kNotFound, "there is no dataset '" + id.substr(0, 64) + "'; the catalogue lists " +
-                                         std::to_string(impl_->slots.size()) + " datasets");
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    if (!slot->dataset) {
+        model::ShImage image = io::readShImage(slot->path, impl_->options);
+        if (impl_->log) impl_->log(io::describe(image));
+        slot->dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
     }
-    if (!found->second.dataset) {
-        found->second.dataset =
-            std::make_shared<const GlyphDataset>(impl_->device, id, io::readShImage(found->second.path, impl_->options));
-    }
-    return found->second.dataset;
+    return slot->dataset;
 }
 
 model::DatasetInfo Store::info(const std::string& id) { return glyphs(id)->info(); }
 
 std::vector<model::DatasetInfo> Store::list() {
-    std::lock_guard lock(impl_->mutex);
+    std::map<std::string, std::shared_ptr<Impl::Slot>> slots;
+    {
+        std::lock_guard lock(impl_->mutex);
+        slots = impl_->slots;
+    }
     std::vector<model::DatasetInfo> infos;
-    for (const auto& [id, slot] : impl_->slots) {
-        if (slot.dataset) {
-            infos.push_back(slot.dataset->info());
-        } else {
-            model::DatasetInfo info;
-            info.id = id;
-            infos.push_back(info);
+    for (const auto& [id, slot] : slots) {
+        model::DatasetInfo info;
+        info.id = id;
+        std::unique_lock lock(slot->loading, std::try_to_lock);
+        if (lock && slot->dataset) {
+            info = slot->dataset->info();
+        } else if (!slot->path.empty()) {
+            try {
+                const model::ShImage header = io::readShHeader(slot->path, impl_->options);
+                info.size = header.size;
+                info.voxel_to_world = header.voxel_to_world;
+                info.layout = header.layout;
+                info.convention = header.file_convention;
+                info.axes = header.file_axes;
+            } catch (const Error&) {
+                // The list goes on; whoever asks for this dataset gets the reader's sentence.
+            }
         }
+        infos.push_back(info);
     }
     return infos;
 }

@@ -4,8 +4,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -26,7 +26,8 @@ struct CatalogEntry {
 /// Thread-safe. The device must outlive it.
 class Store {
 public:
-    Store(gpu::Device& device, io::ShOptions options);
+    /// \param log  gets one sentence for each dataset that is read, with what was assumed about it; may be empty
+    Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log = {});
     ~Store();
 
     /// Adds every readable image of a folder, or one file. Ids come from file names ("xa_fod8.nii.gz" -> "xa_fod8").
@@ -35,10 +36,12 @@ public:
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
     void add(const std::string& id, model::ShImage image);
 
+    /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
+    /// one whose header cannot be read has size 0.
     std::vector<model::DatasetInfo> list();
     /// \throws Error(kNotFound) naming the id; Error of the reader
     model::DatasetInfo info(const std::string& id);
-    /// The dataset, loaded if it was not. \throws as info()
+    /// The dataset, loaded if it was not; other datasets stay available meanwhile. \throws as info()
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
 
 private:
