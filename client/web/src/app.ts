@@ -22,6 +22,8 @@ import { Connection, type ConnectionState } from "./view/connection";
 import { sentence } from "./view/failures";
 
 const kCallTimeoutMs = 10_000;
+/** A large image may take its time to be read. */
+const kReadTimeoutMs = 120_000;
 
 export class App {
   private datasets: readonly Dataset[] = [];
@@ -93,14 +95,35 @@ export class App {
     ]);
     this.limits = { widthMax: limits.widthMax, heightMax: limits.heightMax, pixelsMax: Number(limits.pixelsMax) };
     this.datasets = catalog.datasets;
-    // The first with the highest band: an image of one volume is a scalar one more often than not.
-    const first = this.datasets.reduce<Dataset | undefined>((best, d) => (!best || d.lmax > best.lmax ? d : best), undefined);
-    if (!first) throw new ConnectError("The server has no datasets to show.", Code.Unavailable);
     const former = this.settings;
-    if (!former) this.settings = defaultSettings(first);
-    else if (!this.dataset(former)) this.settings = adapt(former, first);
+    const known = this.dataset(former);
+    const dataset = known ? await this.details(known.id, signal) : await this.first(signal);
+    if (!former) this.settings = defaultSettings(dataset);
+    else if (!known) this.settings = adapt(former, dataset);
     if (!this.camera || this.settings?.datasetId !== former?.datasetId) await this.fitCamera(signal);
     if (this.settings) this.controls.show(this.datasets, this.settings);
+  }
+
+  /** The list names datasets that the server has not read yet, without size and place; asking for one makes it read it. */
+  private async details(id: string, signal: AbortSignal): Promise<Dataset> {
+    const { dataset } = await this.services.catalog.getDataset({ id }, { signal, timeoutMs: kReadTimeoutMs });
+    if (!dataset) throw new ConnectError(`The server told nothing about ${id}.`, Code.Internal);
+    this.datasets = this.datasets.map((other) => (other.id === id ? dataset : other));
+    return dataset;
+  }
+
+  /** The first dataset that can be read. */
+  private async first(signal: AbortSignal): Promise<Dataset> {
+    let failure: unknown = new ConnectError("The server has no datasets to show.", Code.Unavailable);
+    for (const { id } of this.datasets) {
+      try {
+        return await this.details(id, signal);
+      } catch (error) {
+        failure = error;
+        if (signal.aborted) break;
+      }
+    }
+    throw failure;
   }
 
   private dataset(settings: Settings | null): Dataset | undefined {
@@ -129,6 +152,7 @@ export class App {
     const dataset = this.dataset(settings);
     this.settings = settings;
     if (!dataset || !former) return;
+    if (former.datasetId !== settings.datasetId) return this.change(former, settings);
     if (needsNewCamera(former, settings)) return this.refit();
     if (former.slice !== settings.slice && this.camera) {
       // The camera stays at the same distance from the slice, so that orbiting goes on about it.
@@ -137,6 +161,22 @@ export class App {
       this.camera = shift(this.camera, by);
     }
     this.sendScene();
+  }
+
+  /** Goes over to another dataset, or stays with the former if it cannot be read. */
+  private async change(former: Settings, settings: Settings): Promise<void> {
+    try {
+      this.status.message(`Reading ${settings.datasetId}`);
+      const dataset = await this.details(settings.datasetId, AbortSignal.timeout(kReadTimeoutMs));
+      if (settings !== this.settings) return;
+      this.settings = adapt(settings, dataset);
+      this.status.message("");
+      await this.refit();
+    } catch (error) {
+      if (settings === this.settings) this.settings = former;
+      this.status.message(sentence(error));
+    }
+    if (this.settings) this.controls.show(this.datasets, this.settings);
   }
 
   private sendScene(): void {
