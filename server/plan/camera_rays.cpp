@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/two_floats.h"
+
 namespace radiata::plan {
 namespace {
 
@@ -48,8 +50,9 @@ RebasedCamera rebaseCamera(const model::Camera& camera, const SceneBounds& scene
     rays.far_depth = static_cast<float>(last - distance);
     const glm::dvec3 from_centre = rebased.reference_mm - scene.centre();
     rays.scene_from_reference = glm::vec3(from_centre);
-    rays.reference_high = glm::vec3(from_centre);
-    rays.reference_low = glm::vec3(from_centre - glm::dvec3(rays.reference_high));
+    const TwoFloats reference = twoFloats(from_centre);
+    rays.reference_high = reference.high;
+    rays.reference_low = reference.low;
     return rebased;
 }
 

@@ -15,8 +15,12 @@ void viewAxes(const model::VoxelSelection& selection, model::Convention conventi
             towards_eye = {0, 0, radiological ? -1.0 : 1.0};
             up = {0, 1, 0};
             return;
-        case model::Plane::kCoronal: towards_eye = {0, radiological ? 1.0 : -1.0, 0}; return;
-        case model::Plane::kSagittal: towards_eye = {-1, 0, 0}; return;
+        case model::Plane::kCoronal:
+            towards_eye = {0, radiological ? 1.0 : -1.0, 0};
+            return;
+        case model::Plane::kSagittal:
+            towards_eye = {-1, 0, 0};
+            return;
         case model::Plane::kOblique: {
             towards_eye = glm::normalize(selection.normal);
             if (radiological && std::abs(towards_eye.z) > 0.7) towards_eye = towards_eye.z > 0 ? -towards_eye : towards_eye;

@@ -16,20 +16,28 @@ std::string number(double value) {
 
 std::string_view name(model::Traversal traversal) {
     switch (traversal) {
-        case model::Traversal::kRayQuery: return "ray_query";
-        case model::Traversal::kBvh: return "bvh";
-        case model::Traversal::kTiles: return "tiles";
-        case model::Traversal::kAuto: break;
+        case model::Traversal::kRayQuery:
+            return "ray_query";
+        case model::Traversal::kBvh:
+            return "bvh";
+        case model::Traversal::kTiles:
+            return "tiles";
+        case model::Traversal::kAuto:
+            break;
     }
     return "auto";
 }
 
 bool able(model::Traversal traversal, const Abilities& abilities) {
     switch (traversal) {
-        case model::Traversal::kRayQuery: return abilities.ray_query;
-        case model::Traversal::kBvh: return abilities.bvh;
-        case model::Traversal::kTiles: return abilities.tiles;
-        case model::Traversal::kAuto: return true;
+        case model::Traversal::kRayQuery:
+            return abilities.ray_query;
+        case model::Traversal::kBvh:
+            return abilities.bvh;
+        case model::Traversal::kTiles:
+            return abilities.tiles;
+        case model::Traversal::kAuto:
+            return true;
     }
     return false;
 }
@@ -70,7 +78,20 @@ model::Traversal chooseTraversal(const model::FrameRequest& request, const std::
     throw Error(Code::kUnavailable, "no traversal passed the start-up self-test on this device");
 }
 
-bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, std::string& reason) {
+/// Rays per glyph over all layers that can have the table. One number for the frame: what the table is echoed as, on or off,
+/// must plan to the same passes again.
+double raysPerGlyph(const std::vector<LayerFacts>& layers) {
+    double rays = 0, glyphs = 0;
+    for (const LayerFacts& layer : layers) {
+        if (layer.camera_close || layer.glyphs == 0) continue;
+        rays += layer.rays_per_glyph * static_cast<double>(layer.glyphs);
+        glyphs += static_cast<double>(layer.glyphs);
+    }
+    return glyphs > 0 ? rays / glyphs : 0;
+}
+
+bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, double rays_per_glyph,
+                     std::string& reason) {
     if (method == model::Intersection::kPolynomial) {
         reason = "off: the polynomial solver has no use for it";
         return false;
@@ -87,8 +108,8 @@ bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const 
         reason = "on: asked for";
         return true;
     }
-    const std::string rays = number(layer.rays_per_glyph) + " rays per glyph; it pays from " + number(kPoleTableRays);
-    if (layer.rays_per_glyph >= kPoleTableRays) {
+    const std::string rays = number(rays_per_glyph) + " rays per glyph; it pays from " + number(kPoleTableRays);
+    if (rays_per_glyph >= kPoleTableRays) {
         reason = "on: about " + rays;
         return true;
     }
@@ -128,10 +149,11 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     plan.resolved.quality.traversal = traversal;
     const std::string kind = traversal == model::Traversal::kRayQuery ? "query_" : "trace_";
     const std::string solver = method == model::Intersection::kPolynomial ? "polynomial_" : "";
+    const double rays_per_glyph = raysPerGlyph(layers);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         GlyphPlan glyphs = planLayer(request.scene.layers[i], i, layers[i], method);
         std::string reason;
-        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], reason);
+        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], rays_per_glyph, reason);
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
         plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);

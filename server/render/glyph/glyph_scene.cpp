@@ -7,6 +7,7 @@
 #include "build/bvh.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
+#include "math/two_floats.h"
 
 namespace radiata::render {
 namespace {
@@ -62,8 +63,7 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
     const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
     const int limit = image.layout.full ? lmax : lmax - lmax % 2;
     const std::vector<std::uint32_t> slots = selectVoxels(image, layer.selection);
-    const std::vector<GlyphBounds> boxes =
-        dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
+    const std::vector<GlyphBounds> boxes = dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
     const double half_voxel = halfVoxel(image);
     bounds_.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
     bounds_.maximum = -bounds_.minimum;
@@ -76,8 +76,9 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
         const glm::dvec3 world = worldOf(image, slots[i]);
         const glm::dvec3 relative = world - centre_mm_;
         shader::GlyphInstance glyph{};
-        glyph.centre_high = glm::vec3(relative);
-        glyph.centre_low = glm::vec3(relative - glm::dvec3(glyph.centre_high));
+        const TwoFloats centre = twoFloats(relative);
+        glyph.centre_high = centre.high;
+        glyph.centre_low = centre.low;
         glyph.scale = mm;
         glyph.radius = boxes[i].radius * mm;
         glyph.box_min = boxes[i].min * mm;
