@@ -39,6 +39,15 @@ std::string idOf(const std::string& stem) {
     return id;
 }
 
+/// For messages: short, and nothing in it that would end or garble a line.
+std::string printable(const std::string& id) {
+    std::string text = id.substr(0, 64);
+    for (char& c : text) {
+        if (c < ' ' || c > '~') c = '?';
+    }
+    return text;
+}
+
 }  // namespace
 
 struct Store::Impl {
@@ -57,7 +66,7 @@ struct Store::Impl {
         std::lock_guard lock(mutex);
         const auto found = slots.find(id);
         if (found == slots.end()) {
-            throw Error(Code::kNotFound, "there is no dataset '" + id.substr(0, 64) + "'; the catalogue lists " +
+            throw Error(Code::kNotFound, "there is no dataset '" + printable(id) + "'; the catalogue lists " +
                                              std::to_string(slots.size()) + " datasets");
         }
         return found->second;
@@ -78,8 +87,8 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         std::sort(files.begin(), files.end());
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
-            throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
-                                                "' is no .nii, .nii.gz, .mif, .mif.gz or .mih file");
+            throw Error(Code::kUnsupported,
+                        "data: '" + folder_or_file.string() + "' is no .nii, .nii.gz, .mif, .mif.gz or .mih file");
         }
         files.push_back(folder_or_file);
     } else {
@@ -101,7 +110,8 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
 
 void Store::add(const std::string& id, model::ShImage image) {
     if (!validId(id)) {
-        throw Error(Code::kInvalidArgument, "dataset id '" + id + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
+        throw Error(Code::kInvalidArgument,
+                    "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
     }
     auto dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
     auto slot = std::make_shared<Impl::Slot>();
