@@ -32,8 +32,12 @@ layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer CounterBuffer { uint hit_pixels; uint capped_rays; };
 
 float glyph_coefficients[SH_COUNT];
+uint loaded_slot = 0xffffffffu;
 
+// Reads are the dear part on CPU drivers, so what is there already is kept: the normal of the glyph that was tried last needs none.
 void loadCoefficients(uint64_t coefficients, uint stride, uint slot) {
+    if (slot == loaded_slot) return;
+    loaded_slot = slot;
     FloatBuffer source = FloatBuffer(coefficients + uint64_t(slot) * uint64_t(stride) * 4ul);
     for (uint i = 0u; i < SH_COUNT; ++i) glyph_coefficients[i] = i < kUsed ? source.at[i] : 0.0;
 }
