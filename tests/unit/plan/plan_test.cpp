@@ -173,8 +173,8 @@ TEST(PlanPoleTable, IsUsedWhereItPays) {
     };
     using model::PoleTable;
     const Case cases[] = {
-        {PoleTable::kAuto, kPoleTableRays, false, true, "on: about 2.0 rays per glyph; it pays from 2.0"},
-        {PoleTable::kAuto, 1.9, false, false, "off: about 1.9 rays per glyph; it pays from 2.0"},
+        {PoleTable::kAuto, kPoleTableRays, false, true, "on: about 6.0 rays per glyph; it pays from 6.0"},
+        {PoleTable::kAuto, 5.9, false, false, "off: about 5.9 rays per glyph; it pays from 6.0"},
         {PoleTable::kAuto, 1000, true, false, "off: the camera is inside or next to a glyph"},
         {PoleTable::kOn, 0, false, true, "on: asked for"},
         {PoleTable::kOn, 1000, true, false, "off: the camera is inside or next to a glyph"},
