@@ -134,11 +134,13 @@ void main() {
     ray = pixelRay(frame.rays, vec2(frame.width, frame.height), vec2(pixel) + 0.5 + frame.jitter);
     ray_inverse = inverseDirection(ray.direction);
     uint earlier_steps = 0u;
+    bool empty_before = true;
     best_t = ray.far;
     best_instance = kNone;
     if (inside && (!kFirstLayer || kBoxesOnly)) {
         best_t = min(best_t, push.surface.at[at].depth);
         earlier_steps = push.surface.at[at].layer_and_steps & 0xffffffu;
+        empty_before = push.surface.at[at].who == kNone;
     }
     if (inside) traverse(frame, layer, pixel);
     const bool hit = inside && best_instance != kNone;
@@ -154,7 +156,7 @@ void main() {
         push.surface.at[at].layer_and_steps += min(total_steps, 0xffffffu - earlier_steps);
     }
     if (!kBoxesOnly) {
-        const uint hits = subgroupAdd(hit ? 1u : 0u), capped = subgroupAdd(capped_rays);
+        const uint hits = subgroupAdd(hit && empty_before ? 1u : 0u), capped = subgroupAdd(capped_rays);
         if (subgroupElect()) {
             if (hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
             if (capped > 0u) atomicAdd(push.counters.capped_rays, capped);
