@@ -14,7 +14,7 @@ struct ExactCheck {
     int undecided = 0;  ///< grazing, at a clip plane, or two glyphs within 1e-4 mm
     int wrong_id = 0;
     int wrong_depth = 0;     ///< or position, beyond the bound below
-    int wrong_normal = 0;    ///< beyond 0.1 degree
+    int wrong_normal = 0;    ///< beyond 0.1 degree, plus what float positions leave open near the glyph's centre
     int without_steps = 0;   ///< hits that no step of the march was counted for
     double worst_depth = 0;  ///< as a share of the bound
     double worst_normal_deg = 0;

@@ -31,6 +31,23 @@ TEST_F(ExactOutputs, AreWhereTheScannerSays) {
     }
 }
 
+/// The comparison itself must notice: glyphs 0.01 mm beside their place, and one glyph turned into its neighbour.
+TEST_F(ExactOutputs, ThatAreWrongAreNoticed) {
+    const model::ShImage image = randomField({4, false}, {3, 3, 2}, 25, obliqueAffine());
+    store.add("field", image);
+    model::FrameRequest request = requestOf("field", 160, 120, 2);
+    request.camera = cameraAround(image, {1, 2, 3}, true);
+    const model::Frame frame = draw(request);
+    model::ShImage moved = image;
+    moved.voxel_to_world[3].x += 0.01;
+    const ExactCheck beside = checkAgainstReference(frame, moved, 300);
+    EXPECT_GT(beside.wrong_depth, beside.checked / 2);
+    model::ShImage other = image;
+    const auto first = other.coefficients.begin();
+    std::copy(first, first + 15, first + 15 * 4);
+    EXPECT_GT(checkAgainstReference(frame, other, 2000).wrong(), 10);
+}
+
 TEST_F(ExactOutputs, ShowNegativeLobesAndOddBands) {
     const model::ShImage image = randomField({5, true}, {3, 3, 2}, 22, obliqueAffine());
     store.add("field", image);
