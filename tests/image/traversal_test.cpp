@@ -90,6 +90,32 @@ TEST_F(Traversals, AgreeOnAWholeVolumeSeenInParallel) {
     holdAgreement(request, largestRadius("brain") * mm);
 }
 
+/// The second method with its safe stopping rule against the march: float32 roots of a polynomial of degree 4 and 8.
+TEST_F(Traversals, AgreeWhenTheyIntersectByPolynomial) {
+    for (const int lmax : {4, 8}) {
+        const std::string id = "field" + std::to_string(lmax);
+        const model::ShImage image = randomField({lmax, false}, {4, 3, 3}, 4, obliqueAffine());
+        store.add(id, image);
+        model::FrameRequest request = requestOf(id, 160, 120, 2);
+        request.camera = cameraAround(image, {1, 2, 2}, true);
+        const model::Frame march = draw(request);
+        request.quality.intersection = model::Intersection::kPolynomial;
+        model::Frame first;
+        for (const model::Traversal traversal : kTraversals) {
+            request.quality.traversal = traversal;
+            const model::Frame frame = draw(request);
+            if (first.pixels.id.empty()) first = frame;
+            EXPECT_EQ(frame.pixels.rgba, first.pixels.rgba);
+            const Agreement agreement = compareSurfaces(march, frame);
+            std::printf("lmax %d: %d hits, %d other ids, depth %.2g radii, %.2g along the normal\n", lmax, agreement.hits,
+                        agreement.other_ids, agreement.worst_depth / largestRadius(id) / 2,
+                        agreement.worst_apart / largestRadius(id) / 2);
+            EXPECT_LE(agreement.other_ids, 2);
+            EXPECT_LE(agreement.worst_apart, 2e-5 * largestRadius(id) * 2);
+        }
+    }
+}
+
 TEST_F(Traversals, AgreeOnFullBandsBetweenClipPlanes) {
     const model::ShImage image = randomField({7, true}, {5, 4, 3}, 3, obliqueAffine());
     store.add("field", image);
