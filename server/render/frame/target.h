@@ -31,6 +31,7 @@ struct LayerBuffers {
 struct Target::Impl {
     int width = 0, height = 0;
     int samples = 0;               ///< in the light buffer
+    std::uint64_t hit_pixels = 0;  ///< of the first of them
     model::FrameRequest request;   ///< that the samples belong to
     gpu::Buffer surface;           ///< shader::Surface[pixels]
     gpu::Buffer light;             ///< vec3[pixels], sum over samples
