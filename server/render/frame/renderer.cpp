@@ -35,6 +35,18 @@ plan::SceneBounds unite(const std::vector<GlyphScene*>& layers) {
     return all;
 }
 
+/// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
+void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::PassTime>& passes) {
+    for (const gpu::PassTiming& timing : timings) {
+        const auto same = std::ranges::find(passes, timing.name, &model::PassTime::name);
+        if (same == passes.end()) {
+            passes.push_back({timing.name, timing.shader, timing.time_ms});
+        } else {
+            same->time_ms = timing.time_ms;
+        }
+    }
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -122,14 +134,13 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     buffers.request = request;
     impl_->drawer.takeTimings();
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
-        impl_->drawer.takeTimings();
         impl_->drawer.drawSample(buffers, list, sample, cancel);
+        notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
-            buffers.hit_pixels = buffers.counters().hit_pixels;
+            frame.info.hit_pixels = buffers.counters().hit_pixels;
             if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
         }
     }
-    frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     impl_->drawer.resolve(buffers);
     frame.pixels.width = request.width;
@@ -141,9 +152,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
                        : first_sample == 0                           ? model::FrameState::kInteractive
                                                                      : model::FrameState::kRefining;
-    for (const gpu::PassTiming& timing : impl_->drawer.takeTimings()) {
-        frame.info.passes.push_back({timing.name, timing.shader, timing.time_ms});
-    }
+    notePasses(impl_->drawer.takeTimings(), frame.info.passes);
     frame.info.render_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
     return frame;
 }
