@@ -5,13 +5,12 @@ of g = sum_h a cos(s h phi) + b sin(s h phi), with stride s = 2 (even bands only
 Samples l and N - l share their cosines, so they are folded first.
 """
 import math
-import sys
 
-from sh_math import number
+from sh_math import arguments, number
 
 
 def main():
-    k, full, target = int(sys.argv[1]), sys.argv[2] == "full", sys.argv[3]
+    k, full, target = arguments()
     n = k + 1
     stride = 1 if full else 2
     harmonics = k if full else k // 2

@@ -4,11 +4,10 @@ Source: Peters et al. 2023, Sec. 3.4 (sample points, inverse of the Vandermonde 
 |u^i v^(k-i)| on the unit circle, which is sqrt(i^i (k-i)^(k-i) / k^k) with 0^0 = 1).
 """
 import math
-import sys
 
 import numpy as np
 
-from sh_math import number
+from sh_math import arguments, number
 
 
 def array(name, values, size):
@@ -17,7 +16,7 @@ def array(name, values, size):
 
 
 def main():
-    k, target = int(sys.argv[1]), sys.argv[3]
+    k, _, target = arguments()
     angles = [math.pi * l / (k + 1) for l in range(k + 1)]
     vandermonde = np.array([[math.cos(a) ** i * math.sin(a) ** (k - i) for i in range(k + 1)] for a in angles])
     inverse = np.linalg.inv(vandermonde)

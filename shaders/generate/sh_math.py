@@ -5,8 +5,20 @@ Internal basis (descoteaux07): for m > 0, with P the associated Legendre functio
 N(l,m)(z) = sqrt2 K P_l^m / sin^m t is a polynomial in z = cos t, so Y = N(z) Re or Im (x + i y)^m.
 """
 import math
+import sys
 
 import numpy as np
+
+
+def arguments():
+    """K, whether the layout is full, and the file to write, from the command line: K even|full OUTPUT.glsl"""
+    if len(sys.argv) != 4 or not sys.argv[1].isdigit() or sys.argv[2] not in ("even", "full"):
+        sys.exit(f"{sys.argv[0]}: the arguments are {sys.argv[1:]}; they must be: K even|full OUTPUT.glsl")
+    k = int(sys.argv[1])
+    if k % 2:
+        sys.exit(f"{sys.argv[0]}: K is {k}; it must be even, as circles are sampled at K + 1 angles of which all but the first "
+                 "come in pairs")
+    return k, sys.argv[2] == "full", sys.argv[3]
 
 
 def layout(k, full):
