@@ -87,24 +87,27 @@ CircleHit circleMarch(const vec2 F[CIRCLE_HARMONICS + 1], float h, float radius,
     const float reach = min(radius, bounds.sum);
     if (!(h < reach)) return hit;
     const float last_sine = h / reach;
-    vec2 angle = vec2(sqrt((1.0 - last_sine) * (1.0 + last_sine)), last_sine);
+    const vec2 first = vec2(sqrt((1.0 - last_sine) * (1.0 + last_sine)), last_sine);
+    vec2 angle = first;
     // The ray may begin behind that point: angles grow from the near side, so a smaller cosine is later.
     const bool begins_late = start.y >= 0.0 && start.x < angle.x;
+    if (begins_late && start.x < 0.0 && start.y <= last_sine) return hit;
     if (begins_late) angle = start;
     const float slack = kCircleSlack * bounds.sum;
     uint steps = 0u;
     // Which side of +h and -h the ray was on. Rounding of a steep G can carry a step over a root by more than the slack; a change of side
     // is then the hit. On the sphere around the glyph the ray is outside whatever rounding says.
     bool was_above = false, was_below = false;
-    bool more = true;
+    // A ray that is inside before it leaves the sphere has its hit there at the latest, though rounding may carry it past both.
+    bool more = true, at_end = false;
     while (more) {
         const vec3 g = circleEvaluate(F, angle);
         const float value = g.x * angle.y;
         const float slope = g.y * angle.y + g.x * angle.x;
         const float curve = g.z * angle.y + 2.0 * g.y * angle.x - value;
         // Gap to +h, and to -h if negative lobes count; measured from whichever side the ray is on.
-        const float up = h - value, up_side = up >= 0.0 ? 1.0 : -1.0;
-        const float down = h + value, down_side = down >= 0.0 ? 1.0 : -1.0;
+        const float up = at_end ? max(h - value, 0.0) : h - value, up_side = up >= 0.0 ? 1.0 : -1.0;
+        const float down = at_end ? max(h + value, 0.0) : h + value, down_side = down >= 0.0 ? 1.0 : -1.0;
         if (steps == 0u && begins_late) {
             was_above = up < 0.0;
             was_below = down < 0.0;
@@ -113,8 +116,8 @@ CircleHit circleMarch(const vec2 F[CIRCLE_HARMONICS + 1], float h, float radius,
         const bool crossed_down = both_lobes && (down < 0.0) != was_below;
         was_above = up < 0.0;
         was_below = down < 0.0;
-        const bool at_up = crossed_up || (abs(up) <= slack && g.x > 0.0);
-        const bool at_down = crossed_down || (both_lobes && abs(down) <= slack && g.x < 0.0);
+        const bool at_up = crossed_up || (abs(up) <= slack && g.x > 0.0 && !at_end);
+        const bool at_down = crossed_down || (both_lobes && abs(down) <= slack && g.x < 0.0 && !at_end);
         ++steps;
         if (at_up || at_down) {
             // One Newton step towards the root; backwards only if it was crossed.
@@ -137,12 +140,23 @@ CircleHit circleMarch(const vec2 F[CIRCLE_HARMONICS + 1], float h, float radius,
             const float t2 = turn * turn;
             angle = vec2((1.0 - t2) * angle.x - 2.0 * turn * angle.y, 2.0 * turn * angle.x + (1.0 - t2) * angle.y) / (1.0 + t2);
             angle *= 1.5 - 0.5 * dot(angle, angle);
-            more = !(angle.x < 0.0 && angle.y <= last_sine) && steps < kCircleStepLimit;
+            at_end = angle.x < 0.0 && angle.y <= last_sine;
+            if (at_end) angle = vec2(-first.x, first.y);
+            more = steps < kCircleStepLimit && (!at_end || was_above || (both_lobes && was_below));
         }
     }
     hit.steps = steps;
     hit.capped = hit.value == 0.0 && steps >= kCircleStepLimit;
     return hit;
+}
+
+// Where a ray begins, for circleMarch. \param closest  parameter of the ray's closest point to the centre
+// 1e-18 has a square that float32 can hold: a ray that begins in the centre itself has an angle too.
+vec2 circleStart(float closest, float h, float t_min) { return normalize(vec2(closest - t_min, max(h, 1e-18))); }
+
+// A ray through the centre that begins outside, behind a lobe, is within the march's slack of that lobe's end.
+bool circleHitCounts(CircleHit hit, float t, float t_min, float radius) {
+    return hit.value != 0.0 && t >= t_min - 1e-4 * radius;
 }
 
 // Ray parameter of a hit, without cancellation near the centre. \param closest  parameter of the ray's closest point to the centre

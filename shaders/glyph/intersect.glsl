@@ -55,12 +55,12 @@ void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, Gl
     if (plane.h >= radius) return;
     vec2 F[CIRCLE_HARMONICS + 1];
     instanceCircle(frame, layer, index, instance, centre, plane, F);
-    const vec2 start = normalize(vec2(plane.closest - ray.near * unit, max(plane.h, 1e-30)));
+    const vec2 start = circleStart(plane.closest, plane.h, ray.near * unit);
     const CircleHit hit = circleMarch(F, plane.h, radius, start, kBothLobes);
     total_steps += hit.steps;
     capped_rays += hit.capped ? 1u : 0u;
     const float t = circleHitParameter(hit, plane.h, plane.closest) * instance.scale;
-    if (hit.value != 0.0 && (t < best_t || (t == best_t && index < best_instance))) {
+    if (circleHitCounts(hit, t, ray.near, instance.radius) && (t < best_t || (t == best_t && index < best_instance))) {
         best_t = t;
         best_instance = index;
         best_direction = hit.angle.y * plane.e - hit.angle.x * ray.direction;

@@ -1,5 +1,5 @@
 // First hits of a glyph layer: one invocation per pixel. Reads and writes the surface buffer, so nearer layers stop it early.
-// Sources: Peters et al. 2023, Sec. 4 (boxes, normals by Eq. 11); hits by common/circle_march.glsl.
+// Sources: Peters et al. 2023, Sec. 4 (boxes, normals); hits by common/circle_march.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
@@ -8,6 +8,7 @@
 #endif
 #include "shaders/glyph/layer.glsl"
 #include "shaders/glyph/intersect.glsl"
+#include "shaders/common/glyph_normal.glsl"
 #include "shaders/shared/bvh.glsl"
 
 layout(buffer_reference, scalar) readonly buffer NodeBuffer { BvhNode at[]; };
@@ -116,12 +117,10 @@ void traverse(FrameParams frame, GlyphLayerParams layer, uvec2 pixel) {
 }
 #endif
 
-// Peters et al. 2023, Eq. 11, divided by the radius: r p - f (I - p p^T) grad f, turned outwards by the sign of f.
-vec3 glyphNormal(GlyphLayerParams layer, uint index, vec3 p) {
+// Turned towards the viewer.
+vec3 hitNormal(GlyphLayerParams layer, uint index, vec3 p) {
     loadCoefficients(layer.coefficients, layer.stride, InstanceBuffer(layer.instances).at[index].slot);
-    const vec4 slope = shEvaluateGradient(glyph_coefficients, p);
-    const vec3 tangential = slope.xyz - dot(slope.xyz, p) * p;
-    const vec3 normal = normalize(abs(slope.w) * p - (slope.w < 0.0 ? -1.0 : 1.0) * tangential);
+    const vec3 normal = glyphNormal(shEvaluateGradient(glyph_coefficients, p), p);
     return dot(normal, ray.direction) > 0.0 ? -normal : normal;
 }
 
@@ -148,7 +147,7 @@ void main() {
         // Something must be written, or the work is optimised away.
         if (inside && total_steps == 0xffffffu) push.surface.at[at].who = total_steps;
     } else if (hit) {
-        push.surface.at[at] = Surface(best_t, best_instance, glyphNormal(layer, best_instance, best_direction),
+        push.surface.at[at] = Surface(best_t, best_instance, hitNormal(layer, best_instance, best_direction),
                                       layer.layer << 24u | min(earlier_steps + total_steps, 0xffffffu));
     } else if (inside && kFirstLayer) {
         push.surface.at[at] = Surface(uintBitsToFloat(0x7f800000u), kNone, vec3(0.0), min(total_steps, 0xffffffu));
