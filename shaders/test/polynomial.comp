@@ -19,6 +19,7 @@ float shEvaluate(vec3 direction) { return shEvaluate(coefficients, direction).x;
 RayOutput function(RayInput x) {
     for (int i = 0; i < SH_COUNT; ++i) coefficients[i] = push.shared_values.value[i];
     RayOutput result;
+    result.direction = vec3(0.0);
     if (kCountAllHits) {
         float t[POLYNOMIAL_DEGREE];
         result.count = polynomialAllHits(x.origin, x.direction, t);

@@ -17,8 +17,9 @@ struct RayOutput {
     float amplitude;  // 0: no hit
     uint steps;
     uint count;  // polynomial: of all hits; march: 1 if it gave up
+    vec3 direction;  // unit, from the centre to the hit; the polynomial leaves it 0
 };
-STATIC_SIZE(RayOutput, 16);
+STATIC_SIZE(RayOutput, 28);
 
 SHADER_NAMESPACE_END
 #endif

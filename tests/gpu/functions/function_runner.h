@@ -41,18 +41,20 @@ protected:
     template <typename Output, typename Input>
     std::vector<Output> runFunction(std::string_view module_name, const std::vector<std::uint32_t>& constants,
                                     const std::vector<Input>& inputs, const std::vector<float>& shared_values = {0}) {
-        const gpu::ComputePipeline& function = pipeline(module_name, constants);
-        const gpu::Buffer input_buffer = uploaded(std::as_bytes(std::span(inputs)), "inputs");
-        const gpu::Buffer shared_buffer = uploaded(std::as_bytes(std::span(shared_values)), "shared values");
-        const gpu::Buffer output_buffer(*device_, inputs.size() * sizeof(Output), gpu::Memory::kDevice, "outputs");
-        const auto count = static_cast<std::uint32_t>(inputs.size());
-        gpu::CommandRecorder recorder(*device_);
-        recorder.dispatch(function, "function", (count + kGroupSize - 1) / kGroupSize, 1, 1,
-                          Push{input_buffer.address(), output_buffer.address(), shared_buffer.address(), count});
-        recorder.submitAndWait();
-        time_ms_ = recorder.takeTimings().at(0).time_ms;
         std::vector<Output> outputs(inputs.size());
-        gpu::download(*device_, output_buffer, 0, std::as_writable_bytes(std::span(outputs)));
+        run(module_name, constants, inputs.size(), std::as_bytes(std::span(inputs)), shared_values,
+            std::as_writable_bytes(std::span(outputs)));
+        return outputs;
+    }
+
+    /// The same for outputs of `width` floats, one after the other.
+    template <typename Input>
+    std::vector<float> runFunctionToFloats(std::string_view module_name, const std::vector<std::uint32_t>& constants,
+                                           const std::vector<Input>& inputs, std::size_t width,
+                                           const std::vector<float>& shared_values = {0}) {
+        std::vector<float> outputs(inputs.size() * width);
+        run(module_name, constants, inputs.size(), std::as_bytes(std::span(inputs)), shared_values,
+            std::as_writable_bytes(std::span(outputs)));
         return outputs;
     }
 
@@ -65,6 +67,21 @@ private:
         std::uint64_t inputs, outputs, shared_values;
         std::uint32_t count, padding = 0;
     };
+
+    void run(std::string_view module_name, const std::vector<std::uint32_t>& constants, std::size_t size,
+             std::span<const std::byte> inputs, const std::vector<float>& shared_values, std::span<std::byte> outputs) {
+        const gpu::ComputePipeline& function = pipeline(module_name, constants);
+        const gpu::Buffer input_buffer = uploaded(inputs, "inputs");
+        const gpu::Buffer shared_buffer = uploaded(std::as_bytes(std::span(shared_values)), "shared values");
+        const gpu::Buffer output_buffer(*device_, outputs.size(), gpu::Memory::kDevice, "outputs");
+        const auto count = static_cast<std::uint32_t>(size);
+        gpu::CommandRecorder recorder(*device_);
+        recorder.dispatch(function, "function", (count + kGroupSize - 1) / kGroupSize, 1, 1,
+                          Push{input_buffer.address(), output_buffer.address(), shared_buffer.address(), count});
+        recorder.submitAndWait();
+        time_ms_ = recorder.takeTimings().at(0).time_ms;
+        gpu::download(*device_, output_buffer, 0, outputs);
+    }
 
     using PipelineKey = std::pair<std::string, std::vector<std::uint32_t>>;
 

@@ -55,6 +55,16 @@ struct Comparison {
     double worst = 0;
 };
 
+inline void printRay(const RayInput& ray, const RayOutput& output, const reference::GlyphHits& expected) {
+    std::printf("  ray (%.9g, %.9g, %.9g) + t (%.9g, %.9g, %.9g), t >= %g, %s: t %.9g amplitude %.9g", ray.origin.x,
+                ray.origin.y, ray.origin.z, ray.direction.x, ray.direction.y, ray.direction.z, ray.t_min,
+                ray.both_lobes ? "both lobes" : "positive lobes", output.t, output.amplitude);
+    if (expected.hits.empty())
+        std::printf(", expected none\n");
+    else
+        std::printf(", expected t %.9g amplitude %.9g\n", expected.hits[0].t, expected.hits[0].amplitude);
+}
+
 /// Leaves out rays whose first hit moves by more than 1e-3 radii when the ray moves by 1e-5.
 inline Comparison compare(const std::vector<float>& glyph, ShLayout layout, const std::vector<RayInput>& rays,
                           const std::vector<RayOutput>& outputs, double bound) {
@@ -65,14 +75,15 @@ inline Comparison compare(const std::vector<float>& glyph, ShLayout layout, cons
         if (!(expected.first_shift < 1e-3)) continue;
         ++result.rays;
         const bool hit = outputs[i].amplitude != 0;
-        if (hit != !expected.hits.empty()) {
-            ++result.wrong;
-        } else if (hit) {
+        bool wrong = hit != !expected.hits.empty();
+        if (hit && !wrong) {
             const double error = std::abs(outputs[i].t - expected.hits[0].t);
             const bool same_sign = (outputs[i].amplitude > 0) == (expected.hits[0].amplitude > 0);
-            result.wrong += !(error < bound) || !same_sign;
+            wrong = !(error < bound) || !same_sign;
             result.worst = std::max(result.worst, error);
         }
+        result.wrong += wrong;
+        if (wrong && result.wrong <= 3) printRay(rays[i], outputs[i], expected);
     }
     return result;
 }
