@@ -24,11 +24,9 @@ void fromSlice(const v1::Slice& slice, model::VoxelSelection& selection, const s
             break;
     }
     if (slice.has_position_mm()) selection.position_mm = vectorOf(slice.position_mm());
-    if (slice.has_normal()) {
-        selection.normal = vectorOf(slice.normal());
-    } else if (selection.plane == model::Plane::kOblique) {
-        refuse(where + ".normal is missing; an oblique plane needs one");
-    }
+    if (selection.plane != model::Plane::kOblique) return;  // other planes have no normal of their own, not even an odd one
+    if (!slice.has_normal()) refuse(where + ".normal is missing; an oblique plane needs one");
+    selection.normal = vectorOf(slice.normal());
 }
 
 model::GlyphScale fromScale(const v1::GlyphScale& scale, const std::string& where) {
