@@ -9,8 +9,7 @@
 
 namespace radiata {
 
-void parallelFor(std::size_t count, std::size_t block,
-                 const std::function<void(std::size_t begin, std::size_t end)>& body) {
+void parallelFor(std::size_t count, std::size_t block, const std::function<void(std::size_t begin, std::size_t end)>& body) {
     block = std::max<std::size_t>(block, 1);
     const std::size_t blocks = (count + block - 1) / block;
     const std::size_t thread_count = std::min<std::size_t>(blocks, std::max(1U, std::thread::hardware_concurrency()));

@@ -30,9 +30,12 @@ int nearestVoxelAxis(const model::ShImage& image, int world_axis) {
 
 int worldAxis(model::Plane plane) {
     switch (plane) {
-        case model::Plane::kSagittal: return 0;
-        case model::Plane::kCoronal: return 1;
-        default: return 2;
+        case model::Plane::kSagittal:
+            return 0;
+        case model::Plane::kCoronal:
+            return 1;
+        default:
+            return 2;
     }
 }
 

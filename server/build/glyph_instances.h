@@ -9,9 +9,10 @@
 
 namespace radiata {
 
-/// Slots (indices into ShImage::voxels) of the voxels that the selection takes, ascending. Axial, coronal and sagittal slices follow
-/// the voxel axis nearest to z, y, x of the scanner; the layer of voxels nearest to the position is shown. An oblique slice takes each
-/// voxel whose cell the plane cuts, so neighbouring cells leave no gaps; a slab each voxel whose centre is within half its thickness.
+/// Slots (indices into ShImage::voxels) of the voxels that the selection takes, ascending. Axial, coronal and sagittal slices
+/// follow the voxel axis nearest to z, y, x of the scanner; the layer of voxels nearest to the position is shown. An oblique
+/// slice takes each voxel whose cell the plane cuts, so neighbouring cells leave no gaps; a slab each voxel whose centre is
+/// within half its thickness.
 std::vector<std::uint32_t> selectVoxels(const model::ShImage& image, const model::VoxelSelection& selection);
 
 /// World position, mm, of the middle of the stored voxels' bounds.

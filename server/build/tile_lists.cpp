@@ -70,8 +70,8 @@ TileRect tileRect(const Projection& projection, const shader::GlyphInstance& gly
 
 }  // namespace
 
-TileLists buildTileLists(std::span<const shader::GlyphInstance> instances, const shader::CameraRays& rays, int width, int height,
-                         int tile_shift_x, int tile_shift_y, std::size_t entries_max) {
+TileLists buildTileLists(std::span<const shader::GlyphInstance> instances, const shader::CameraRays& rays, int width,
+                         int height, int tile_shift_x, int tile_shift_y, std::size_t entries_max) {
     TileLists lists;
     lists.tiles_x = (width + (1 << tile_shift_x) - 1) >> tile_shift_x;
     lists.tiles_y = (height + (1 << tile_shift_y) - 1) >> tile_shift_y;
@@ -85,7 +85,8 @@ TileLists buildTileLists(std::span<const shader::GlyphInstance> instances, const
     });
     std::size_t total = 0;
     for (const TileRect& rect : rects) {
-        if (rect.x1 >= rect.x0) total += static_cast<std::size_t>(rect.x1 - rect.x0 + 1) * static_cast<std::size_t>(rect.y1 - rect.y0 + 1);
+        if (rect.x1 >= rect.x0)
+            total += static_cast<std::size_t>(rect.x1 - rect.x0 + 1) * static_cast<std::size_t>(rect.y1 - rect.y0 + 1);
         if (total > entries_max) {
             lists.complete = false;
             return lists;

@@ -23,7 +23,7 @@ struct TileLists {
 /// Boxes that reach behind the near plane of a perspective camera are listed in all tiles.
 /// \param tile_shift_x, tile_shift_y  pixels per tile, log2
 /// \param entries_max                 gives up beyond this many entries
-TileLists buildTileLists(std::span<const shader::GlyphInstance> instances, const shader::CameraRays& rays, int width, int height,
-                         int tile_shift_x, int tile_shift_y, std::size_t entries_max);
+TileLists buildTileLists(std::span<const shader::GlyphInstance> instances, const shader::CameraRays& rays, int width,
+                         int height, int tile_shift_x, int tile_shift_y, std::size_t entries_max);
 
 }  // namespace radiata

@@ -24,7 +24,8 @@ namespace radiata::io {
 /// \throws as readVolume(); Error(kCorrupt) for a number of volumes that no layout has, listing those that would do
 model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& options = {});
 
-/// What the header of an SH image says: everything but voxels and coefficients. \throws as readShImage() for what a header can tell
+/// What the header of an SH image says: everything but voxels and coefficients. \throws as readShImage() for what a header can
+/// tell
 model::ShImage readShHeader(const std::filesystem::path& path, const ShOptions& options = {});
 
 /// One line for logs: what was read and what was assumed (layout, convention, axes, voxels).

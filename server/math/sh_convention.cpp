@@ -23,8 +23,11 @@ template <typename Real>
 void pairToInternal(Real& minus, Real& plus, int m, ShConvention from) {
     const Real sign = m % 2 != 0 ? Real(-1) : Real(1);
     switch (from) {
-        case ShConvention::kDescoteaux07: return;
-        case ShConvention::kDescoteaux07Legacy: minus *= sign; return;
+        case ShConvention::kDescoteaux07:
+            return;
+        case ShConvention::kDescoteaux07Legacy:
+            minus *= sign;
+            return;
         case ShConvention::kMrtrix02:
             minus /= std::numbers::sqrt2_v<Real>;
             plus /= std::numbers::sqrt2_v<Real>;
@@ -40,8 +43,11 @@ template <typename Real>
 void pairFromInternal(Real& minus, Real& plus, int m, ShConvention to) {
     const Real sign = m % 2 != 0 ? Real(-1) : Real(1);
     switch (to) {
-        case ShConvention::kDescoteaux07: return;
-        case ShConvention::kDescoteaux07Legacy: minus *= sign; return;
+        case ShConvention::kDescoteaux07:
+            return;
+        case ShConvention::kDescoteaux07Legacy:
+            minus *= sign;
+            return;
         case ShConvention::kTournier07:
         case ShConvention::kMrtrix02:
             minus *= sign;

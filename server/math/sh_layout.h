@@ -17,9 +17,7 @@ struct ShLayout {
     bool full = false;  ///< odd bands too
 
     int step() const { return full ? 1 : 2; }
-    std::size_t count() const {
-        return static_cast<std::size_t>(full ? (lmax + 1) * (lmax + 1) : (lmax + 1) * (lmax + 2) / 2);
-    }
+    std::size_t count() const { return static_cast<std::size_t>(full ? (lmax + 1) * (lmax + 1) : (lmax + 1) * (lmax + 2) / 2); }
     std::size_t index(int l, int m) const { return static_cast<std::size_t>(full ? l * (l + 1) + m : l * (l + 1) / 2 + m); }
     bool operator==(const ShLayout&) const = default;
 };

@@ -75,10 +75,10 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     if (request.width > limits.width_max || request.height > limits.height_max ||
         static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height) > limits.pixels_max) {
-        throw Error(Code::kResourceExhausted,
-                    "picture size is " + std::to_string(request.width) + "x" + std::to_string(request.height) +
-                        " pixels; at most " + std::to_string(limits.width_max) + "x" + std::to_string(limits.height_max) +
-                        " and " + std::to_string(limits.pixels_max) + " in all are drawn");
+        throw Error(Code::kResourceExhausted, "picture size is " + std::to_string(request.width) + "x" +
+                                                  std::to_string(request.height) + " pixels; at most " +
+                                                  std::to_string(limits.width_max) + "x" + std::to_string(limits.height_max) +
+                                                  " and " + std::to_string(limits.pixels_max) + " in all are drawn");
     }
     if (request.quality.samples < 1 || request.quality.samples > limits.samples_max) {
         refuse("quality.samples is " + std::to_string(request.quality.samples) + "; it must be 1 to " +

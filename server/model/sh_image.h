@@ -12,15 +12,15 @@
 
 namespace radiata::model {
 
-/// Coefficients are in the internal convention (ShConvention::kDescoteaux07) with directions in world axes, whatever the file had.
-/// Only voxels with a glyph are stored: finite coefficients, not all zero.
+/// Coefficients are in the internal convention (ShConvention::kDescoteaux07) with directions in world axes, whatever the file
+/// had. Only voxels with a glyph are stored: finite coefficients, not all zero.
 struct ShImage {
-    glm::ivec3 size{0};             ///< voxels along i, j, k
-    glm::dmat4 voxel_to_world{1.0}; ///< voxel centres have whole indices; world mm, RAS
+    glm::ivec3 size{0};              ///< voxels along i, j, k
+    glm::dmat4 voxel_to_world{1.0};  ///< voxel centres have whole indices; world mm, RAS
     ShLayout layout;
-    std::vector<glm::ivec3> voxels;   ///< indices of the stored voxels, i fastest, then j, then k
-    std::vector<float> coefficients;  ///< voxels.size() * layout.count(), voxel by voxel
-    std::uint64_t rejected_voxels = 0;  ///< left out for a NaN or infinite coefficient
+    std::vector<glm::ivec3> voxels;                            ///< indices of the stored voxels, i fastest, then j, then k
+    std::vector<float> coefficients;                           ///< voxels.size() * layout.count(), voxel by voxel
+    std::uint64_t rejected_voxels = 0;                         ///< left out for a NaN or infinite coefficient
     ShConvention file_convention = ShConvention::kTournier07;  ///< how the file was read
     ShAxes file_axes = ShAxes::kWorld;
     std::string source;  ///< short name for messages

@@ -24,8 +24,8 @@ struct RebasedCamera {
 
 /// \param scene  bounds of everything shown; boxes on the device are relative to its centre
 /// \param height  of the picture, pixels; pixels are square
-/// Pixel rays are exact to float rounding of positions near the reference point: cameras a kilometre away with a lens to match see
-/// what near ones see (tests/unit/plan/camera_rays_test.cpp).
+/// Pixel rays are exact to float rounding of positions near the reference point: cameras a kilometre away with a lens to match
+/// see what near ones see (tests/unit/plan/camera_rays_test.cpp).
 RebasedCamera rebaseCamera(const model::Camera& camera, const SceneBounds& scene, int height);
 
 }  // namespace radiata::plan

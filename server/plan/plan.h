@@ -1,5 +1,5 @@
-// A frame is planned before anything is drawn: what was asked, what the datasets hold and what the device can do become a list of
-// passes. Pure data and pure functions; tested without a device.
+// A frame is planned before anything is drawn: what was asked, what the datasets hold and what the device can do become a list
+// of passes. Pure data and pure functions; tested without a device.
 #pragma once
 
 #include <cstdint>
@@ -14,25 +14,25 @@ namespace radiata::plan {
 /// What a device can do, as far as planning cares.
 struct Abilities {
     bool ray_query = false;
-    bool bvh = true;    ///< these two may have failed the start-up self-test
+    bool bvh = true;  ///< these two may have failed the start-up self-test
     bool tiles = true;
     bool software = false;  ///< a CPU rasteriser
 };
 
 /// What is known about one layer of the request before drawing it.
 struct LayerFacts {
-    ShLayout layout;                  ///< of the dataset
-    std::uint64_t glyphs = 0;         ///< shown
+    ShLayout layout;           ///< of the dataset
+    std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
-    double rays_per_glyph = 0;        ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
-    double depth_complexity = 1;      ///< estimate: glyph boxes along one ray
-    bool camera_close = false;        ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double rays_per_glyph = 0;    ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
+    double depth_complexity = 1;  ///< estimate: glyph boxes along one ray
+    bool camera_close = false;    ///< the eye is inside or next to some glyph, where the pole frame is not defined
 };
 
 /// How one glyph layer is drawn.
 struct GlyphPlan {
-    std::string layout_name;   ///< "even8": bands compiled in, the layout's lmax rounded up to an even number of at least 2
-    std::uint32_t used = 0;    ///< coefficients that count; the band limit
+    std::string layout_name;  ///< "even8": bands compiled in, the layout's lmax rounded up to an even number of at least 2
+    std::uint32_t used = 0;   ///< coefficients that count; the band limit
     bool pole_table = false;
     bool both_lobes = false;
 };
@@ -45,8 +45,8 @@ struct PassPlan {
 };
 
 struct FramePlan {
-    model::FrameRequest resolved;  ///< the request with every choice filled in
-    std::vector<GlyphPlan> glyphs; ///< one per layer
+    model::FrameRequest resolved;   ///< the request with every choice filled in
+    std::vector<GlyphPlan> glyphs;  ///< one per layer
     std::vector<PassPlan> passes;
     std::string traversal_reason;
     std::string pole_table_reason;
@@ -54,12 +54,13 @@ struct FramePlan {
 };
 
 /// \param layers  one per layer of the scene
-/// \throws Error(kInvalidArgument) for a band limit above the data, Error(kUnsupported) for a traversal that the device lacks or a
+/// \throws Error(kInvalidArgument) for a band limit above the data, Error(kUnsupported) for a traversal that the device lacks
+/// or a
 ///         method that does not fit the data (the polynomial needs even bands 2 to 12), with what would do
 FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities);
 
-/// Box pixels per glyph from which the table pays: about a third of them hit, and a read of its longer rows costs more than a sum.
-/// Measured on lavapipe at band 8: direct is faster at 4.4, the table at 12.6 (radiata-lab run glyph-frame).
+/// Box pixels per glyph from which the table pays: about a third of them hit, and a read of its longer rows costs more than a
+/// sum. Measured on lavapipe at band 8: direct is faster at 4.4, the table at 12.6 (radiata-lab run glyph-frame).
 constexpr double kPoleTableRays = 6.0;
 /// Boxes along a ray up to which lists per tile are shorter than a walk through a hierarchy.
 constexpr double kTileDepth = 6.0;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kMoveRadii = 1e-5;
 constexpr double kCentreRadii = 1e-13;  // closer than rounding can tell: through the centre
-constexpr double kNarrowest = 1e-7;  // radians; two roots closer than this count as touching
+constexpr double kNarrowest = 1e-7;     // radians; two roots closer than this count as touching
 
 struct Line {
     glm::dvec3 direction;

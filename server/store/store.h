@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "gpu/fwd.h"
+#include "io/sh_options.h"
 #include "model/dataset.h"
 #include "model/sh_image.h"
-#include "io/sh_options.h"
 
 namespace radiata::store {
 

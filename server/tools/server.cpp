@@ -31,7 +31,8 @@ void startDevice(Engine& engine, const ProgramOptions& options) {
     }
     engine.device = std::make_unique<gpu::Device>(options.device);
     spdlog::info("device: {}, driver {}", engine.device->info().name, engine.device->info().driver);
-    engine.store = std::make_unique<store::Store>(*engine.device, options.sh, [](const std::string& sentence) { spdlog::info("{}", sentence); });
+    engine.store = std::make_unique<store::Store>(*engine.device, options.sh,
+                                                  [](const std::string& sentence) { spdlog::info("{}", sentence); });
     for (const std::filesystem::path& path : options.data) {
         for (const store::CatalogEntry& entry : engine.store->add(path))
             spdlog::info("dataset {}: {}", entry.id, entry.path.string());

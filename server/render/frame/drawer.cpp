@@ -77,7 +77,8 @@ void Drawer::prepareCamera(Target::Impl& target, const DrawList& list) {
                 throw Error(Code::kResourceExhausted, "quality.traversal tiles: this view needs more than " +
                                                           std::to_string(kTileEntriesMax) + " list entries; use auto or bvh");
             }
-            ensureBytes(device_, buffers.tile_ranges, std::span(lists.ranges).size_bytes(), gpu::Memory::kUpload, "tile ranges");
+            ensureBytes(device_, buffers.tile_ranges, std::span(lists.ranges).size_bytes(), gpu::Memory::kUpload,
+                        "tile ranges");
             ensureBytes(device_, buffers.tile_entries, std::max<std::size_t>(std::span(lists.entries).size_bytes(), 4),
                         gpu::Memory::kUpload, "tile entries");
             std::copy(lists.ranges.begin(), lists.ranges.end(), buffers.tile_ranges.as<glm::uvec2>().begin());
@@ -120,10 +121,10 @@ void Drawer::trace(Target::Impl& target, const DrawList& list, std::size_t layer
         target.layer(layer).bvh_nodes = list.layers[layer]->bvhNodes().address();
         target.layer(layer).bvh_order = list.layers[layer]->bvhOrder().address();
     }
-    const gpu::ComputePipeline& pipeline = pipelines_.get(
-        shader, {kGroup, tiles ? 1U : 0U, glyphs.pole_table && !empty ? 1U : 0U, glyphs.both_lobes ? 1U : 0U, glyphs.used,
-                 layer == 0 ? 1U : 0U, boxes_only ? 1U : 0U, kTileShiftX, kTileShiftY,
-                 list.plan->resolved.quality.polynomial_bracket_stop ? 1U : 0U});
+    const gpu::ComputePipeline& pipeline =
+        pipelines_.get(shader, {kGroup, tiles ? 1U : 0U, glyphs.pole_table && !empty ? 1U : 0U, glyphs.both_lobes ? 1U : 0U,
+                                glyphs.used, layer == 0 ? 1U : 0U, boxes_only ? 1U : 0U, kTileShiftX, kTileShiftY,
+                                list.plan->resolved.quality.polynomial_bracket_stop ? 1U : 0U});
     const std::uint32_t blocks_x = static_cast<std::uint32_t>(target.width + 7) / 8;
     const std::uint32_t blocks_y = static_cast<std::uint32_t>(target.height + 7) / 8;
     const std::uint64_t base = target.params.address();
@@ -156,16 +157,17 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
             const auto layer = static_cast<std::size_t>(std::max(pass.layer, 0));
             if (pass.name.starts_with("glyph table") && sample == 0 && target.layer(layer).count > 0) {
                 const plan::GlyphPlan& glyphs = list.plan->glyphs[layer];
-                recorder_.dispatch(pipelines_.get(pass.shader, {kGroup, 0U, 0U, 0U, glyphs.used}), pass.name,
-                                   groups(target.layer(layer).count), 1, 1,
-                                   TablePush{base, base + Target::Impl::kLayerOffset + layer * sizeof(shader::GlyphLayerParams)});
+                recorder_.dispatch(
+                    pipelines_.get(pass.shader, {kGroup, 0U, 0U, 0U, glyphs.used}), pass.name,
+                    groups(target.layer(layer).count), 1, 1,
+                    TablePush{base, base + Target::Impl::kLayerOffset + layer * sizeof(shader::GlyphLayerParams)});
             }
             if (pass.name.starts_with("glyph trace")) trace(target, list, layer, false, cancel);
             if (pass.name == "light") {
-                recorder_.dispatch(pipelines_.get(pass.shader, {kGroup, sample == 0 ? 1U : 0U}), pass.name,
-                                   groups(static_cast<std::uint64_t>(target.width) * target.height), 1, 1,
-                                   LightPush{base, target.surface.address(), target.light.address(),
-                                             base + Target::Impl::kLookOffset});
+                recorder_.dispatch(
+                    pipelines_.get(pass.shader, {kGroup, sample == 0 ? 1U : 0U}), pass.name,
+                    groups(static_cast<std::uint64_t>(target.width) * target.height), 1, 1,
+                    LightPush{base, target.surface.address(), target.light.address(), base + Target::Impl::kLookOffset});
             }
         }
         recorder_.submitAndWait();
@@ -179,9 +181,9 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
 
 void Drawer::resolve(Target::Impl& target) {
     const auto pixels = static_cast<std::uint32_t>(static_cast<std::uint64_t>(target.width) * target.height);
-    recorder_.dispatch(pipelines_.get("resolve", {kGroup}), "resolve", groups(pixels), 1, 1,
-                       ResolvePush{target.light.address(), target.picture.address(), pixels,
-                                   static_cast<std::uint32_t>(target.samples)});
+    recorder_.dispatch(
+        pipelines_.get("resolve", {kGroup}), "resolve", groups(pixels), 1, 1,
+        ResolvePush{target.light.address(), target.picture.address(), pixels, static_cast<std::uint32_t>(target.samples)});
     recorder_.submitAndWait();
 }
 

@@ -31,8 +31,8 @@ public:
     void drawSample(Target::Impl& target, const DrawList& list, int sample, const std::atomic<bool>* cancel);
     /// Mean of the samples to the target's picture.
     void resolve(Target::Impl& target);
-    /// Runs the traversal of the glyph pass once more over the finished surface buffer, visiting the same boxes and intersecting
-    /// nothing, timed as pass "boxes" (for measurements).
+    /// Runs the traversal of the glyph pass once more over the finished surface buffer, visiting the same boxes and
+    /// intersecting nothing, timed as pass "boxes" (for measurements).
     void drawBoxes(Target::Impl& target, const DrawList& list);
 
     std::vector<gpu::PassTiming> takeTimings() { return recorder_.takeTimings(); }

@@ -16,7 +16,8 @@ class Store;
 
 namespace radiata::render {
 
-/// Device buffers of one view: surface buffer, accumulated light, read-back. Each view owns one; only one render uses it at a time.
+/// Device buffers of one view: surface buffer, accumulated light, read-back. Each view owns one; only one render uses it at a
+/// time.
 class Target {
 public:
     Target();
@@ -53,8 +54,9 @@ public:
     model::Camera fitCamera(const std::string& dataset_id, const model::VoxelSelection& selection, model::Convention convention,
                             double aspect);
 
-    /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph pass
-    /// visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another request
+    /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
+    /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another
+    /// request
     double measureBoxes(Target& target, const model::FrameRequest& request);
 
     /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles".

@@ -48,9 +48,9 @@ model::FrameRequest testRequest(model::Traversal traversal) {
 }
 
 struct Expected {
-    int voxel = -1;      // index in the image; -1: nothing
-    double depth = 0;    // along the line of sight, from the eye
-    bool decided = true; // false: too near a silhouette to tell
+    int voxel = -1;       // index in the image; -1: nothing
+    double depth = 0;     // along the line of sight, from the eye
+    bool decided = true;  // false: too near a silhouette to tell
 };
 
 Expected expectedPixel(const model::ShImage& image, const model::Camera& camera, int x, int y) {

@@ -1,4 +1,5 @@
-// One glyph layer as it stands on the device: instances, boxes and traversal structures, kept until the layer's settings change.
+// One glyph layer as it stands on the device: instances, boxes and traversal structures, kept until the layer's settings
+// change.
 #pragma once
 
 #include <cstdint>

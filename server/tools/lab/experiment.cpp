@@ -26,9 +26,10 @@ double Series::minimum() const { return values.empty() ? 0 : *std::min_element(v
 
 const std::vector<Experiment>& experiments() {
     static const std::vector<Experiment> kAll = {
-        {"glyph-frame", "all passes of a frame of many glyphs, by each traversal; the glyph pass against finding the same boxes",
-         glyphFrame},
-        {"march-vs-polynomial", "one glyph filling the picture: ns per pixel and wrong pixels of the march and of Peters' solver",
+        {"glyph-frame",
+         "all passes of a frame of many glyphs, by each traversal; the glyph pass against finding the same boxes", glyphFrame},
+        {"march-vs-polynomial",
+         "one glyph filling the picture: ns per pixel and wrong pixels of the march and of Peters' solver",
          marchVersusPolynomial},
     };
     return kAll;

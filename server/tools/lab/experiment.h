@@ -13,8 +13,8 @@
 namespace radiata::lab {
 
 struct Options {
-    int size = 0;                  ///< picture height, pixels, or what the experiment says; 0: its own
-    std::string image;             ///< SH image file; empty: a phantom
+    int size = 0;       ///< picture height, pixels, or what the experiment says; 0: its own
+    std::string image;  ///< SH image file; empty: a phantom
     int repeats = 9;
     std::vector<std::string> methods;  ///< only these; empty: all
 };

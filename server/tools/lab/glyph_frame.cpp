@@ -66,7 +66,8 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
     request.scene.layers = {layer};
     request.camera = renderer.fitCamera("scene", layer.glyphs.selection, model::Convention::kRadiological,
                                         static_cast<double>(request.width) / request.height);
-    report.view = std::to_string(request.width) + "x" + std::to_string(request.height) + ", axial, fitted, one sample per pixel";
+    report.view =
+        std::to_string(request.width) + "x" + std::to_string(request.height) + ", axial, fitted, one sample per pixel";
 
     std::vector<Variant> variants = {{"auto", model::Traversal::kAuto, model::PoleTable::kAuto}};
     for (const std::string& name : renderer.traversals()) {

@@ -1,5 +1,6 @@
-// march-vs-polynomial: one glyph filling a square picture, by the march and by the polynomial solver of Peters et al. 2023 (Algorithm 1),
-// the latter with the paper's stopping rule and with a stop on the bracket's width. Both lobes are shown, as Peters' glyph is |f|.
+// march-vs-polynomial: one glyph filling a square picture, by the march and by the polynomial solver of Peters et al. 2023
+// (Algorithm 1), the latter with the paper's stopping rule and with a stop on the bracket's width. Both lobes are shown, as
+// Peters' glyph is |f|.
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -18,7 +19,7 @@ namespace radiata::lab {
 namespace {
 
 constexpr int kSize = 256;
-constexpr double kWrong = 2e-3;   // radii
+constexpr double kWrong = 2e-3;      // radii
 constexpr int kReferenceStride = 4;  // every such pixel is traced in double, and every pixel on which two methods differ
 
 /// Three crossing fibre lobes with the tails that band limits leave: fODF-like, deterministic.
@@ -76,15 +77,15 @@ std::vector<int> wrongPixels(const model::ShImage& image, const model::Camera& c
                     traced = traced || !same;
                 }
                 if (!traced) continue;
-                const reference::Ray ray = reference::cameraRay(camera, kSize, kSize, static_cast<double>(x) + 0.5,
-                                                                static_cast<double>(y) + 0.5);
+                const reference::Ray ray =
+                    reference::cameraRay(camera, kSize, kSize, static_cast<double>(x) + 0.5, static_cast<double>(y) + 0.5);
                 const reference::GlyphHits hits = reference::glyphHits(f, ray.origin, ray.direction, true);
                 if (hits.grazing || !(hits.first_shift < 0.1 * kWrong)) continue;
                 for (std::size_t i = 0; i < depths.size(); ++i) {
                     const bool none = std::isinf(depths[i][at]);
-                    const bool right = hits.hits.empty()
-                                           ? none
-                                           : !none && std::abs(depths[i][at] + depth_offset - hits.hits[0].t) <= kWrong * radius;
+                    const bool right =
+                        hits.hits.empty() ? none
+                                          : !none && std::abs(depths[i][at] + depth_offset - hits.hits[0].t) <= kWrong * radius;
                     if (!right) ++wrong[i];
                 }
             }
@@ -173,8 +174,9 @@ Report marchVersusPolynomial(gpu::Device& device, const Options& options) {
     runBand(device, options, 4, 3, report);
     runBand(device, options, 8, 3, report);
     runBand(device, options, 12, 8, report);
-    report.notes.push_back("wrong: miss, false hit or depth off by more than 2e-3 radii against the double reference, on every 4th pixel of "
-                           "every 4th row and wherever two methods differ; rays that graze are left out");
+    report.notes.push_back(
+        "wrong: miss, false hit or depth off by more than 2e-3 radii against the double reference, on every 4th pixel of "
+        "every 4th row and wherever two methods differ; rays that graze are left out");
     if (options.repeats < 7) report.shortfalls.push_back(std::to_string(options.repeats) + " repeats; 7 are asked for");
     return report;
 }
