@@ -68,10 +68,14 @@ void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, Gl
 }
 #endif
 
+// The glyph whose box was entered last; kept from the test of its box to the test of the glyph, as reads are dear.
+GlyphInstance candidate;
+vec3 candidate_centre;
+
 // Box first, glyph after. \return whether the box was entered before the nearest hit
 bool visitInstance(FrameParams frame, GlyphLayerParams layer, uint index) {
-    const GlyphInstance instance = InstanceBuffer(layer.instances).at[index];
-    const vec3 centre = instanceCentre(frame.rays, instance);
-    const vec2 span = boxSpan(ray.origin - centre, ray_inverse, instance.box_min, instance.box_max);
+    candidate = InstanceBuffer(layer.instances).at[index];
+    candidate_centre = instanceCentre(frame.rays, candidate);
+    const vec2 span = boxSpan(ray.origin - candidate_centre, ray_inverse, candidate.box_min, candidate.box_max);
     return span.x <= span.y && span.x < best_t && span.y >= ray.near;
 }

@@ -30,12 +30,12 @@ uvec2 pixelOfInvocation() {
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
 }
 
+// The candidate that visitInstance() has found.
 void process(FrameParams frame, GlyphLayerParams layer, uint index) {
     if (kBoxesOnly) {
         ++total_steps;
     } else {
-        const GlyphInstance instance = InstanceBuffer(layer.instances).at[index];
-        intersectInstance(frame, layer, index, instance, instanceCentre(frame.rays, instance));
+        intersectInstance(frame, layer, index, candidate, candidate_centre);
     }
 }
 
