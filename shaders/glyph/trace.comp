@@ -150,7 +150,10 @@ void main() {
         push.surface.at[at] = Surface(best_t, best_instance, hitNormal(layer, best_instance, best_direction),
                                       layer.layer << 24u | min(earlier_steps + total_steps, 0xffffffu));
     } else if (inside && kFirstLayer) {
-        push.surface.at[at] = Surface(uintBitsToFloat(0x7f800000u), kNone, vec3(0.0), min(total_steps, 0xffffffu));
+        // No normal: nobody reads it where nothing is, and stores are dear on CPU drivers.
+        push.surface.at[at].depth = uintBitsToFloat(0x7f800000u);
+        push.surface.at[at].who = kNone;
+        push.surface.at[at].layer_and_steps = min(total_steps, 0xffffffu);
     } else if (inside) {
         push.surface.at[at].layer_and_steps += min(total_steps, 0xffffffu - earlier_steps);
     }

@@ -43,7 +43,7 @@ STATIC_SIZE(FrameParams, 160);
 // One per pixel: what the layers share. 24 bytes.
 struct Surface {
     float depth;   // ray parameter t, mm; +inf: nothing
-    uint who;      // glyph instance of its layer; 0xffffffff: nothing
+    uint who;      // glyph instance of its layer; 0xffffffff: nothing, and the normal is not set
     vec3 normal;   // world, unit, towards the viewer
     uint layer_and_steps;  // layer << 24 | march steps over all glyphs tried
 };
