@@ -137,10 +137,11 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
-            frame.info.hit_pixels = buffers.counters().hit_pixels;
+            buffers.hit_pixels = buffers.counters().hit_pixels;
             if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
         }
     }
+    frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     impl_->drawer.resolve(buffers);
     frame.pixels.width = request.width;
