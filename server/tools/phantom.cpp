@@ -11,9 +11,9 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.h"
-#include "base/parallel.h"
 #include "build/phantom.h"
 #include "io/nifti_write.h"
+#include "io/sh_write.h"
 #include "math/sh_convention.h"
 
 namespace {
@@ -25,29 +25,6 @@ using radiata::Phantom;
 struct Files {
     std::filesystem::path image, labels, bundles;
 };
-
-/// All voxels of the grid, zero where there is no glyph.
-radiata::io::Volume imageVolume(const radiata::model::ShImage& image) {
-    radiata::io::Volume volume;
-    const std::size_t count = image.layout.count();
-    volume.size = {image.size.x, image.size.y, image.size.z, static_cast<std::int64_t>(count)};
-    volume.voxel_to_world = image.voxel_to_world;
-    volume.source = image.source;
-    const std::size_t voxels = static_cast<std::size_t>(image.size.x) * image.size.y * image.size.z;
-    volume.data.assign(voxels * count, 0.0F);
-    radiata::parallelFor(image.voxels.size(), 1024, [&](std::size_t begin, std::size_t end) {
-        std::vector<float> coefficients(count);
-        for (std::size_t v = begin; v < end; ++v) {
-            coefficients.assign(image.coefficients.begin() + v * count, image.coefficients.begin() + (v + 1) * count);
-            radiata::convertSh(coefficients, image.layout, radiata::ShConvention::kDescoteaux07,
-                               radiata::ShConvention::kTournier07);
-            const glm::ivec3& p = image.voxels[v];
-            const std::size_t at = (static_cast<std::size_t>(p.z) * image.size.y + p.y) * image.size.x + p.x;
-            for (std::size_t c = 0; c < count; ++c) volume.data[c * voxels + at] = coefficients[c];
-        }
-    });
-    return volume;
-}
 
 radiata::io::Volume labelVolume(const Phantom& phantom) {
     const radiata::PhantomGrid& grid = phantom.grid();
@@ -86,7 +63,7 @@ void make(const radiata::PhantomOptions& options, const Files& files) {
     if (!files.labels.empty()) checkNiftiName(files.labels);
     const Phantom phantom(options);
     const radiata::model::ShImage image = phantom.shImage();
-    radiata::io::writeNifti(imageVolume(image), files.image);
+    radiata::io::writeNifti(radiata::io::shVolume(image, radiata::ShConvention::kTournier07), files.image);
     if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
     if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
     std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",

@@ -1,0 +1,76 @@
+"""radiata-convert as a program: what it writes, what it refuses, with which exit codes."""
+
+import pathlib
+import struct
+import tempfile
+import unittest
+
+from programs import run
+
+
+def samples(path):
+    data = path.read_bytes()
+    dim = struct.unpack_from("<8h", data, 40)
+    count = dim[1] * dim[2] * dim[3]
+    return dim, [struct.unpack_from(f"<{count}f", data, 352 + 4 * count * volume) for volume in range(dim[4])]
+
+
+class ConvertTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.image = self.folder / "in.nii"
+        run("radiata-phantom", self.image, "--size", 10, "--lmax", 2)
+
+    def convert(self, *arguments, **options):
+        return run("radiata-convert", "uncertainty", *arguments, **options)
+
+    def test_uncertainty_by_the_recipe(self):
+        names = [self.folder / name for name in ("a.nii", "b.nii", "c.nii")]
+        for name, seed in zip(names, (3, 3, 4)):
+            done = self.convert(self.image, name, "--seed", seed)
+            self.assertIn(f"seed {seed}", done.stdout)
+            self.assertEqual(done.stderr, "")
+        self.assertEqual(names[0].read_bytes(), names[1].read_bytes())
+        self.assertNotEqual(names[0].read_bytes(), names[2].read_bytes())
+        dim, before = samples(self.image)
+        after_dim, after = samples(names[0])
+        self.assertEqual(dim, after_dim)
+        for volume, factor in ((0, 1.7), (3, 1.0)):
+            ratios = [b / a for a, b in zip(before[volume], after[volume]) if abs(a) > 1e-3]
+            self.assertGreater(len(ratios), 100)
+            # Deviation 0.05 over some hundred voxels.
+            self.assertAlmostEqual(sum(ratios) / len(ratios), factor, delta=0.02)
+        self.assertEqual([a == 0 for a in before[0]], [b == 0 for b in after[0]])
+
+    def test_without_change_the_file_is_the_same_in_any_convention(self):
+        for options in ([], ["--sh-convention", "descoteaux07"], ["--sh-axes", "voxel"]):
+            out = self.folder / "same.nii"
+            self.convert(self.image, out, "--constant", 1, "--deviation", 0, *options)
+            for before, after in zip(samples(self.image)[1], samples(out)[1]):
+                for a, b in zip(before, after):
+                    self.assertAlmostEqual(a, b, delta=2e-6)
+
+    def test_refused_with_one_sentence(self):
+        out = self.folder / "out.nii"
+        for arguments, word in (([self.folder / "none.nii", out], "none.nii"), ([self.image, self.folder / "out.mif"], ".nii"),
+                                ([self.image, self.folder / "no" / "a.nii"], "no folder"), ([self.image, self.image], "same file"),
+                                ([self.image, out, "--deviation", -1], "deviation"), ([self.image, out, "--deviation", "nan"], "deviation"),
+                                ([self.image, out, "--constant", 101], "101"), ([self.image, out, "--sh-axes", "tilted"], "tilted")):
+            with self.subTest(arguments=arguments):
+                done = self.convert(*arguments, check=False)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn(word, done.stderr)
+                self.assertRegex(done.stderr, r"\Aradiata-convert: [^\n]+\n\Z")
+                self.assertFalse(out.exists())
+
+    def test_usage(self):
+        for arguments in ([], ["uncertainty"], ["nothing"], ["uncertainty", self.image, "out.nii", "--seed", -1]):
+            done = run("radiata-convert", *arguments, check=False)
+            self.assertGreater(done.returncode, 0, arguments)
+        self.assertIn("--deviation", run("radiata-convert", "uncertainty", "--help").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
