@@ -7,10 +7,12 @@ import re
 import subprocess
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 LAB = pathlib.Path(os.environ["RADIATA_BIN"]) / "radiata-lab"
 # The C and C++ runtime; the Vulkan loader is opened at run time.
 RUNTIME = r"^(linux-vdso|libvulkan|libstdc\+\+|libm|libgcc_s|libc|ld-linux-x86-64)\.so"
+EXPERIMENTS = ["glyph-frame", "march-vs-polynomial", "glyph-pareto"]
 
 
 def lab(*arguments):
@@ -26,7 +28,7 @@ class LabTest(unittest.TestCase):
 
     def test_lists_its_experiments(self):
         names = [line.split()[0] for line in lab("list").stdout.splitlines()]
-        self.assertEqual(names, ["glyph-frame", "march-vs-polynomial"])
+        self.assertEqual(names, EXPERIMENTS)
 
     def test_small_run_writes_all_values_and_fails_its_check(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -40,6 +42,28 @@ class LabTest(unittest.TestCase):
         self.assertIn("glyph pass / same boxes (auto)", [check["name"] for check in report["checks"]])
         capped = next(check for check in report["checks"] if check["name"] == "capped rays")
         self.assertEqual(capped["value"], 0)
+
+    def test_error_against_time_as_table_and_picture(self):
+        with tempfile.TemporaryDirectory() as folder:
+            json_file, svg_file = pathlib.Path(folder) / "run.json", pathlib.Path(folder) / "run.svg"
+            result = lab("run", "glyph-pareto", "--size", "32", "--repeats", "1", "--json", str(json_file), "--svg", str(svg_file))
+            report = json.loads(json_file.read_text())
+            picture = xml.etree.ElementTree.parse(svg_file).getroot()
+        self.assertEqual(result.returncode, 0, result.stderr)
+        rows = [row for table in report["tables"] for row in table["rows"]]
+        words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
+        for method in ("march", "march, pole table", "polynomial, bracket stop", "polynomial, paper's stop"):
+            self.assertIn(method, [row[0] for row in rows])
+            self.assertIn(method, words)
+        missed = report["tables"][0]["columns"].index("missed")
+        self.assertTrue(all(row[missed] == "0" for row in rows if row[0].startswith("march")))
+        self.assertEqual(words.count("dashed: Pareto front"), len(report["plots"]))
+        self.assertEqual(len(report["plots"]), 2 * len(report["tables"]))
+
+    def test_a_picture_of_an_experiment_without_plots_is_refused(self):
+        result = lab("run", "glyph-frame", "--size", "16", "--repeats", "1", "--svg", "unused.svg")
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("has no plot", result.stderr)
 
     def test_unknown_experiment_is_one_sentence(self):
         result = lab("run", "nothing")

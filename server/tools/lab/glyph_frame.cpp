@@ -6,7 +6,8 @@
 #include "io/sh_image.h"
 #include "render/frame/renderer.h"
 #include "store/store.h"
-#include "tools/lab/experiment.h"
+#include "tools/lab/experiments.h"
+#include "tools/lab/measure.h"
 
 namespace radiata::lab {
 namespace {
@@ -32,21 +33,12 @@ struct Variant {
     model::PoleTable table;
 };
 
-/// Sum of the passes whose name starts so.
-double passTime(const model::FrameInfo& info, const std::string& prefix) {
-    double total = 0;
-    for (const model::PassTime& pass : info.passes) {
-        if (pass.name.starts_with(prefix)) total += pass.time_ms;
-    }
-    return total;
-}
-
 }  // namespace
 
 Report glyphFrame(gpu::Device& device, const Options& options) {
     Report report;
     report.experiment = "glyph-frame";
-    report.repeats = options.repeats;
+    report.repeats = options.rounds();
     store::Store store(device, {});
     model::ShImage image = loadScene(options, report.scene);
     const std::uint64_t glyphs = image.voxels.size();
@@ -96,14 +88,14 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
             capped += result.info.capped_rays;
             if (i == 0) chosen = "auto chose " + result.info.traversal_reason + "; pole table " + result.info.pole_table_reason;
             if (!warm) return;
-            glyph[i].values.push_back(passTime(result.info, "glyph"));
+            glyph[i].values.push_back(passTime(result.info, {"glyph"}));
             boxes[i].values.push_back(box_ms);
             frame[i].values.push_back(result.info.render_ms);
         });
     }
     interleave(1, measurements);
     warm = true;
-    interleave(options.repeats, measurements);
+    interleave(report.repeats, measurements);
     for (std::size_t i = 0; i < variants.size(); ++i) {
         for (Series* series : {&frame[i], &glyph[i], &boxes[i]}) report.series.push_back(*series);
     }
@@ -111,8 +103,7 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
     report.checks.push_back({"glyph pass / same boxes (auto)", glyph[0].median() / boxes[0].median(), "<=", 2.5});
     report.checks.push_back({"capped rays", static_cast<double>(capped), "<=", 0});
     if (glyphs < kGlyphsWanted) report.shortfalls.push_back(std::to_string(glyphs) + " glyphs; 20,000 are asked for");
-    if (request.height < 720) report.shortfalls.push_back("height " + std::to_string(request.height) + "; 720 is asked for");
-    if (options.repeats < 7) report.shortfalls.push_back(std::to_string(options.repeats) + " repeats; 7 are asked for");
+    noteShortfalls(report, request.height, 720);
     return report;
 }
 

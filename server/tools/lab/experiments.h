@@ -1,0 +1,12 @@
+// One function per experiment; experiments.cpp names them.
+#pragma once
+
+#include "tools/lab/experiment.h"
+
+namespace radiata::lab {
+
+Report glyphFrame(gpu::Device& device, const Options& options);
+Report marchVersusPolynomial(gpu::Device& device, const Options& options);
+Report glyphPareto(gpu::Device& device, const Options& options);
+
+}  // namespace radiata::lab
