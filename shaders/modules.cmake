@@ -1,5 +1,7 @@
 # The list of all shader modules.
 radiata_shader(test_square test/square.comp)
+radiata_shader(test_rectangles_vert test/rectangles.vert)
+radiata_shader(test_rectangles_frag test/rectangles.frag)
 radiata_shader(test_shading test/shading.comp)
 radiata_shader(test_box test/box.comp)
 radiata_shader(test_camera_rays test/camera_rays.comp)

@@ -47,19 +47,19 @@ std::uint32_t chooseMemoryType(const vk::PhysicalDeviceMemoryProperties& types, 
             best = i;
         }
     }
-    if (!best) throw Error(Code::kUnsupported, "buffer '" + name + "': the device has no memory of the kind it needs");
+    if (!best) throw Error(Code::kUnsupported, "'" + name + "': the device has no memory of the kind it needs");
     return *best;
 }
 
 [[noreturn]] void tooLarge(const std::string& name, std::uint64_t size, const char* limit_name, std::uint64_t limit) {
     throw Error(Code::kResourceExhausted,
-                "buffer '" + name + "' needs " + std::to_string(size) + " bytes, " + limit_name + " " + std::to_string(limit));
+                "'" + name + "' needs " + std::to_string(size) + " bytes, " + limit_name + " " + std::to_string(limit));
 }
 
 vk::BufferUsageFlags usages(const Device::Impl& device) {
     using Usage = vk::BufferUsageFlagBits;
     vk::BufferUsageFlags flags =
-        Usage::eShaderDeviceAddress | Usage::eStorageBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+        Usage::eShaderDeviceAddress | Usage::eStorageBuffer | Usage::eIndexBuffer | Usage::eTransferSrc | Usage::eTransferDst;
     if (device.has(Feature::kRayQuery)) {
         flags |= Usage::eAccelerationStructureBuildInputReadOnlyKHR | Usage::eAccelerationStructureStorageKHR;
     }
@@ -101,6 +101,19 @@ HeapShare::~HeapShare() {
     device_->allocation_count -= 1;
 }
 
+Allocation allocate(Device::Impl& device, const vk::MemoryRequirements& needs, Memory memory, const std::string& name) {
+    if (needs.size > device.allocation_size_max) {
+        tooLarge(name, needs.size, "the device's largest allocation has", device.allocation_size_max);
+    }
+    const std::uint32_t type = chooseMemoryType(device.memory, needs.memoryTypeBits, memory, name);
+    Allocation allocation;
+    allocation.share = std::make_unique<HeapShare>(device, device.memory.memoryTypes[type].heapIndex, needs.size, name);
+    const vk::MemoryAllocateFlagsInfo flags{.flags = vk::MemoryAllocateFlagBits::eDeviceAddress};
+    allocation.memory = vk::raii::DeviceMemory(
+        device.device, vk::MemoryAllocateInfo{.pNext = &flags, .allocationSize = needs.size, .memoryTypeIndex = type});
+    return allocation;
+}
+
 Buffer::Impl::Impl(Device::Impl& device, std::uint64_t size, Memory memory, const std::string& buffer_name)
     : name(buffer_name), size_bytes(size) {
     if (size == 0) throw Error(Code::kInternal, "buffer '" + name + "' has no bytes; at least 1 is needed");
@@ -108,16 +121,9 @@ Buffer::Impl::Impl(Device::Impl& device, std::uint64_t size, Memory memory, cons
     buffer = vk::raii::Buffer(device.device, vk::BufferCreateInfo{.size = size, .usage = usages(device)});
     device.nameObject(buffer, name);
     const vk::MemoryRequirements needs = buffer.getMemoryRequirements();
-    if (needs.size > device.allocation_size_max) {
-        tooLarge(name, needs.size, "the device's largest allocation has", device.allocation_size_max);
-    }
-    const std::uint32_t type = chooseMemoryType(device.memory, needs.memoryTypeBits, memory, name);
-    share = std::make_unique<HeapShare>(device, device.memory.memoryTypes[type].heapIndex, needs.size, name);
-    const vk::MemoryAllocateFlagsInfo flags{.flags = vk::MemoryAllocateFlagBits::eDeviceAddress};
-    allocation = vk::raii::DeviceMemory(
-        device.device, vk::MemoryAllocateInfo{.pNext = &flags, .allocationSize = needs.size, .memoryTypeIndex = type});
-    buffer.bindMemory(*allocation, 0);
-    if (memory != Memory::kDevice) mapped = static_cast<std::byte*>(allocation.mapMemory(0, VK_WHOLE_SIZE));
+    allocation = allocate(device, needs, memory, name);
+    buffer.bindMemory(*allocation.memory, 0);
+    if (memory != Memory::kDevice) mapped = static_cast<std::byte*>(allocation.memory.mapMemory(0, VK_WHOLE_SIZE));
     address = device.device.getBufferAddress(vk::BufferDeviceAddressInfo{.buffer = *buffer});
 }
 

@@ -1,4 +1,4 @@
-// What a Buffer holds, shared by gpu/*.cpp only.
+// What a Buffer holds and where its memory comes from, shared by gpu/*.cpp only.
 #pragma once
 
 #include "gpu/buffer.h"
@@ -22,14 +22,23 @@ private:
     std::uint64_t size_bytes_ = 0;
 };
 
+/// Memory of its own for one buffer or image, counted in its heap.
+struct Allocation {
+    vk::raii::DeviceMemory memory{nullptr};
+    std::unique_ptr<HeapShare> share;
+};
+
+/// \param name  of the buffer or image, for messages
+/// \throws Error(kResourceExhausted) saying name, size and what the device has, vk::SystemError
+Allocation allocate(Device::Impl& device, const vk::MemoryRequirements& needs, Memory memory, const std::string& name);
+
 struct Buffer::Impl {
     Impl(Device::Impl& device, std::uint64_t size_bytes, Memory memory, const std::string& name);
 
     std::string name;
     std::uint64_t size_bytes = 0;
-    vk::raii::DeviceMemory allocation{nullptr};
+    Allocation allocation;
     vk::raii::Buffer buffer{nullptr};
-    std::unique_ptr<HeapShare> share;
     std::byte* mapped = nullptr;
     std::uint64_t address = 0;
 };

@@ -83,7 +83,7 @@ void makePipelineObjects(Device::Impl& impl) {
         // A driver may refuse what it once wrote; an empty cache is only slower.
         impl.pipeline_cache = vk::raii::PipelineCache(impl.device, vk::PipelineCacheCreateInfo{});
     }
-    const vk::PushConstantRange range{.stageFlags = vk::ShaderStageFlagBits::eCompute, .size = kPushConstantBytes};
+    const vk::PushConstantRange range{.stageFlags = Device::Impl::kPushStages, .size = kPushConstantBytes};
     impl.pipeline_layout = vk::raii::PipelineLayout(
         impl.device, vk::PipelineLayoutCreateInfo{.pushConstantRangeCount = 1, .pPushConstantRanges = &range});
 }

@@ -123,6 +123,20 @@ const std::vector<FeatureRow> kTable = {
          f.mesh.meshShader = VK_TRUE;
          f.mesh.taskShader = VK_TRUE;
      }},
+    {"raster",
+     Feature::kRaster,
+     "tessellated glyphs and rasterised boxes",
+     "tracing of the same glyphs",
+     {},
+     [](const Abilities& a) {
+         return a.draws && a.features.v13.dynamicRendering == VK_TRUE && a.features.v13.shaderTerminateInvocation == VK_TRUE &&
+                a.features.core.features.fragmentStoresAndAtomics == VK_TRUE;
+     },
+     [](FeatureChain& f) {
+         f.v13.dynamicRendering = VK_TRUE;
+         f.v13.shaderTerminateInvocation = VK_TRUE;
+         f.core.features.fragmentStoresAndAtomics = VK_TRUE;
+     }},
     {"memory_budget",
      Feature::kMemoryBudget,
      "refusing what would not fit beside other programs",
@@ -155,8 +169,10 @@ void FeatureChain::link(const std::set<std::string>& extensions) {
 
 Abilities::Abilities(const vk::raii::PhysicalDevice& physical) : properties(physical.getProperties()) {
     const std::vector<vk::QueueFamilyProperties> families = physical.getQueueFamilyProperties();
-    for (std::uint32_t i = 0; i < families.size() && !queue_family; ++i) {
-        if ((families[i].queueFlags & vk::QueueFlagBits::eCompute) && families[i].timestampValidBits > 0) queue_family = i;
+    for (std::uint32_t i = 0; i < families.size() && !draws; ++i) {
+        if (!(families[i].queueFlags & vk::QueueFlagBits::eCompute) || families[i].timestampValidBits == 0) continue;
+        draws = static_cast<bool>(families[i].queueFlags & vk::QueueFlagBits::eGraphics);
+        if (draws || !queue_family) queue_family = i;
     }
     if (properties.apiVersion < VK_API_VERSION_1_3) return;
     for (const vk::ExtensionProperties& extension : physical.enumerateDeviceExtensionProperties()) {

@@ -37,7 +37,8 @@ struct Abilities {
     vk::PhysicalDeviceVulkan11Properties v11;
     std::set<std::string> extensions;
     FeatureChain features;                      ///< empty below Vulkan 1.3
-    std::optional<std::uint32_t> queue_family;  ///< the first that computes and has timestamps
+    std::optional<std::uint32_t> queue_family;  ///< the first that computes and has timestamps, draws too if one does
+    bool draws = false;                         ///< that family has graphics
 };
 
 struct FeatureRow {

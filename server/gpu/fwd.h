@@ -5,5 +5,7 @@ namespace radiata::gpu {
 class Device;
 class Buffer;
 class ComputePipeline;
+class GraphicsPipeline;
+class RasterTarget;
 class CommandRecorder;
 }  // namespace radiata::gpu

@@ -1,7 +1,5 @@
 #include "gpu/pipeline.h"
 
-#include <vector>
-
 #include "gpu/pipeline_impl.h"
 
 namespace radiata::gpu {
@@ -10,21 +8,14 @@ ComputePipeline::ComputePipeline(Device& device, const Shader& shader, std::span
     : impl_(std::make_unique<Impl>()) {
     Device::Impl& owner = device.impl();
     impl_->shader_name = shader.name;
-    std::vector<vk::SpecializationMapEntry> entries;
-    for (std::uint32_t i = 0; i < constants.size(); ++i) {
-        entries.push_back({.constantID = i, .offset = i * 4, .size = 4});
-    }
-    const vk::SpecializationInfo specialisation{.mapEntryCount = static_cast<std::uint32_t>(entries.size()),
-                                                .pMapEntries = entries.data(),
-                                                .dataSize = constants.size_bytes(),
-                                                .pData = constants.data()};
+    const Specialisation specialisation(constants);
     try {
         const vk::raii::ShaderModule module(
             owner.device, vk::ShaderModuleCreateInfo{.codeSize = shader.spirv.size_bytes(), .pCode = shader.spirv.data()});
         const vk::PipelineShaderStageCreateInfo stage{.stage = vk::ShaderStageFlagBits::eCompute,
                                                       .module = *module,
                                                       .pName = "main",
-                                                      .pSpecializationInfo = &specialisation};
+                                                      .pSpecializationInfo = &specialisation.info};
         impl_->pipeline = vk::raii::Pipeline(owner.device, owner.pipeline_cache,
                                              vk::ComputePipelineCreateInfo{.stage = stage, .layout = *owner.pipeline_layout});
         owner.nameObject(impl_->pipeline, impl_->shader_name);

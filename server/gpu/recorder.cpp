@@ -4,8 +4,8 @@
 #include <array>
 #include <cstring>
 
-#include "gpu/buffer_impl.h"
 #include "gpu/pipeline_impl.h"
+#include "gpu/recorder_impl.h"
 
 namespace radiata::gpu {
 namespace {
@@ -13,26 +13,25 @@ namespace {
 using Stage = vk::PipelineStageFlagBits2;
 using Access = vk::AccessFlagBits2;
 
-constexpr std::uint32_t kTimedDispatches = 512;  // between two submits; one more submits what is there
-
 void memoryBarrier(const vk::raii::CommandBuffer& commands, const vk::MemoryBarrier2& barrier) {
     commands.pipelineBarrier2(vk::DependencyInfo{.memoryBarrierCount = 1, .pMemoryBarriers = &barrier});
 }
 
-// Passes are few and long, so one full barrier between any two costs nothing that can be measured and forgets nothing.
-void barrierBeforeWork(const vk::raii::CommandBuffer& commands) {
-    memoryBarrier(commands, {.srcStageMask = Stage::eComputeShader | Stage::eAllTransfer,
-                             .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
-                             .dstStageMask = Stage::eComputeShader | Stage::eAllTransfer,
-                             .dstAccessMask =
-                                 Access::eShaderRead | Access::eShaderWrite | Access::eTransferRead | Access::eTransferWrite});
-}
-
 void barrierBeforeHost(const vk::raii::CommandBuffer& commands) {
-    memoryBarrier(commands, {.srcStageMask = Stage::eComputeShader | Stage::eAllTransfer,
-                             .srcAccessMask = Access::eShaderWrite | Access::eTransferWrite,
+    memoryBarrier(commands, {.srcStageMask = Stage::eAllCommands,
+                             .srcAccessMask = Access::eMemoryWrite,
                              .dstStageMask = Stage::eHost,
                              .dstAccessMask = Access::eHostRead});
+}
+
+}  // namespace
+
+// Passes are few and long, so one full barrier between any two costs nothing that can be measured and forgets nothing.
+void barrierBeforeWork(const vk::raii::CommandBuffer& commands) {
+    memoryBarrier(commands, {.srcStageMask = Stage::eAllCommands,
+                             .srcAccessMask = Access::eMemoryWrite,
+                             .dstStageMask = Stage::eAllCommands,
+                             .dstAccessMask = Access::eMemoryRead | Access::eMemoryWrite});
 }
 
 void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t size, const char* what) {
@@ -44,36 +43,11 @@ void checkRange(const Buffer& buffer, std::uint64_t offset, std::uint64_t size, 
     }
 }
 
-}  // namespace
-
-struct CommandRecorder::Impl {
-    explicit Impl(Device::Impl& owner);
-    void begin();
-    void submitAndWait();
-    void collectTimes();
-    void addTime(const std::string& pass, const std::string& shader, double time_ms);
-
-    struct Timed {
-        std::string pass;
-        std::string shader;
-    };
-
-    Device::Impl& device;
-    vk::raii::CommandPool pool{nullptr};
-    vk::raii::CommandBuffer commands{nullptr};
-    vk::raii::QueryPool queries{nullptr};
-    vk::raii::Fence fence{nullptr};
-    bool recording = false;
-    std::vector<Timed> timed;  ///< dispatches since the last submit; number i has queries 2 i and 2 i + 1
-    std::vector<PassTiming> timings;
-};
-
 CommandRecorder::Impl::Impl(Device::Impl& owner)
     : device(owner),
       pool(owner.device, vk::CommandPoolCreateInfo{.flags = vk::CommandPoolCreateFlagBits::eTransient,
                                                    .queueFamilyIndex = owner.queue_family}),
-      queries(owner.device,
-              vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kTimedDispatches}),
+      queries(owner.device, vk::QueryPoolCreateInfo{.queryType = vk::QueryType::eTimestamp, .queryCount = 2 * kTimedPasses}),
       fence(owner.device, vk::FenceCreateInfo{}) {
     vk::raii::CommandBuffers buffers(
         owner.device, vk::CommandBufferAllocateInfo{
@@ -86,7 +60,7 @@ void CommandRecorder::Impl::begin() {
     if (recording) return;
     pool.reset();
     commands.begin(vk::CommandBufferBeginInfo{.flags = vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    commands.resetQueryPool(*queries, 0, 2 * kTimedDispatches);
+    commands.resetQueryPool(*queries, 0, 2 * kTimedPasses);
     recording = true;
 }
 
@@ -122,6 +96,25 @@ void CommandRecorder::Impl::addTime(const std::string& pass, const std::string& 
     }
 }
 
+std::uint32_t CommandRecorder::Impl::startPass(const void* push, std::size_t push_size) {
+    if (timed.size() == kTimedPasses) submitAndWait();
+    begin();
+    std::array<std::byte, kPushConstantBytes> bytes{};
+    std::memcpy(bytes.data(), push, push_size);
+    const std::size_t whole_words = (push_size + 3) / 4 * 4;
+    barrierBeforeWork(commands);
+    commands.pushConstants<std::byte>(*device.pipeline_layout, Device::Impl::kPushStages, 0,
+                                      {static_cast<std::uint32_t>(whole_words), bytes.data()});
+    const auto query = static_cast<std::uint32_t>(2 * timed.size());
+    commands.writeTimestamp2(Stage::eAllCommands, *queries, query);
+    return query;
+}
+
+void CommandRecorder::Impl::endPass(std::uint32_t query, const std::string& pass, const std::string& shader) {
+    commands.writeTimestamp2(Stage::eAllCommands, *queries, query + 1);
+    timed.push_back({pass, shader});
+}
+
 CommandRecorder::CommandRecorder(Device& device) {
     try {
         impl_ = std::make_unique<Impl>(device.impl());
@@ -142,22 +135,11 @@ void CommandRecorder::dispatchBytes(const ComputePipeline& pipeline, const std::
                                          std::to_string(most[1]) + " x " + std::to_string(most[2]));
     }
     if (groups_x == 0 || groups_y == 0 || groups_z == 0) return;
-    std::array<std::byte, kPushConstantBytes> bytes{};
-    std::memcpy(bytes.data(), push, push_size);
-    const std::size_t whole_words = (push_size + 3) / 4 * 4;
     try {
-        if (impl_->timed.size() == kTimedDispatches) impl_->submitAndWait();
-        impl_->begin();
-        const vk::raii::CommandBuffer& commands = impl_->commands;
-        const auto query = static_cast<std::uint32_t>(2 * impl_->timed.size());
-        barrierBeforeWork(commands);
-        commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline.impl().pipeline);
-        commands.pushConstants<std::byte>(*impl_->device.pipeline_layout, vk::ShaderStageFlagBits::eCompute, 0,
-                                          {static_cast<std::uint32_t>(whole_words), bytes.data()});
-        commands.writeTimestamp2(Stage::eAllCommands, *impl_->queries, query);
-        commands.dispatch(groups_x, groups_y, groups_z);
-        commands.writeTimestamp2(Stage::eAllCommands, *impl_->queries, query + 1);
-        impl_->timed.push_back({pass, pipeline.shaderName()});
+        const std::uint32_t query = impl_->startPass(push, push_size);
+        impl_->commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline.impl().pipeline);
+        impl_->commands.dispatch(groups_x, groups_y, groups_z);
+        impl_->endPass(query, pass, pipeline.shaderName());
     } catch (const vk::SystemError& error) {
         throw toError(error, "recording pass '" + pass + "'");
     }

@@ -1,4 +1,4 @@
-// Records compute work, submits it and waits. Passes are timed with timestamps.
+// Records compute work and drawing, submits it and waits. Passes are timed with timestamps.
 #pragma once
 
 #include <cstdint>
@@ -15,6 +15,17 @@ struct PassTiming {
     std::string name;
     std::string shader;
     double time_ms = 0;
+};
+
+/// Instances [first_instance, first_instance + instances) of one list of indexed triangles, drawn where rows [first_row,
+/// first_row + rows) of the target are.
+struct DrawRange {
+    const Buffer* indices = nullptr;  ///< 32 bits each
+    std::uint32_t index_count = 0;
+    std::uint32_t first_instance = 0;
+    std::uint32_t instances = 0;
+    std::uint32_t first_row = 0;
+    std::uint32_t rows = 0;
 };
 
 /// Not thread-safe; one per thread of work, reused from frame to frame.
@@ -34,6 +45,18 @@ public:
         static_assert(sizeof(Push) <= 128);
         dispatchBytes(pipeline, pass, groups_x, groups_y, groups_z, &push, sizeof(Push));
     }
+    /// Zeroes a raster target; comes before the first draw of a picture.
+    void clear(RasterTarget& target);
+    /// Draws a range of instances into rows of the target. Everything recorded before is visible to it; triangles of later
+    /// draws come after those of earlier ones. \param pass, push  as for dispatch()
+    template <typename Push>
+    void draw(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target, const DrawRange& range,
+              const Push& push) {
+        static_assert(sizeof(Push) <= 128);
+        drawBytes(pipeline, pass, target, range, &push, sizeof(Push));
+    }
+    /// Both images of a target, row by row without gaps. \param words  16 bytes a pixel \param depth  float, 4 bytes a pixel
+    void copy(RasterTarget& source, const Buffer& words, const Buffer& depth);
     void copy(const Buffer& source, std::uint64_t source_offset, const Buffer& target, std::uint64_t target_offset,
               std::uint64_t size_bytes);
     /// Fills whole words. \param size_bytes  multiple of 4
@@ -49,6 +72,8 @@ public:
 private:
     void dispatchBytes(const ComputePipeline& pipeline, const std::string& pass, std::uint32_t groups_x, std::uint32_t groups_y,
                        std::uint32_t groups_z, const void* push, std::size_t push_size);
+    void drawBytes(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target, const DrawRange& range,
+                   const void* push, std::size_t push_size);
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };
