@@ -12,6 +12,7 @@
 #include "base/error.h"
 #include "io/byte_source.h"
 #include "io/mrtrix_text.h"
+#include "math/cartesian_tensor.h"
 
 namespace radiata::io {
 namespace {
@@ -162,6 +163,37 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
     image.data_path = target;
 }
 
+/// The keys that this program adds to the format; docs/formats/tensors.md.
+std::optional<TensorHeader> tensorHeader(const MrtrixText& text) {
+    if (!text.has("tensor_order")) return {};
+    TensorHeader header;
+    const std::int64_t order = text.integer("tensor_order", text.only("tensor_order"));
+    if (order < kTensorOrderMin || order > kTensorOrderMax) {
+        throw Error(Code::kUnsupported,
+                    text.file() + ": tensor_order is " + std::to_string(order) + "; tensors of order 2 to 12 are read");
+    }
+    header.order = static_cast<int>(order);
+    const std::string components = text.has("tensor_components") ? text.only("tensor_components") : "symmetric";
+    if (components != "symmetric" && components != "entries") {
+        throw Error(Code::kCorrupt, text.file() + ": tensor_components is " + shown(components) +
+                                        "; it must be symmetric (each component once) or entries (all 3^order)");
+    }
+    if (components == "entries") header.components = TensorFormat::kEntries;
+    if (text.has("tensor_trace")) {
+        const std::vector<double> trace = text.numbers("tensor_trace");
+        if (trace.size() != 1 || !std::isfinite(trace[0])) {
+            throw Error(Code::kCorrupt,
+                        text.file() + ": tensor_trace is " + shown(text.only("tensor_trace")) + "; it must be one finite number");
+        }
+        if (header.order % 2 != 0) {
+            throw Error(Code::kCorrupt, text.file() + ": tensor_trace is given for order " + std::to_string(header.order) +
+                                            "; only even orders have a full trace");
+        }
+        header.trace = trace[0];
+    }
+    return header;
+}
+
 }  // namespace
 
 StoredImage readMrtrixHeader(const std::filesystem::path& path) {
@@ -192,6 +224,7 @@ StoredImage readMrtrixHeader(const std::filesystem::path& path) {
     }
     image.voxel_to_world = affine(text, image, dim.size());
     checkAffine(image.voxel_to_world, file);
+    image.tensor = tensorHeader(text);
     setData(text, path, image);
     return image;
 }

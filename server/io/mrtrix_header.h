@@ -8,7 +8,8 @@
 
 namespace radiata::io {
 
-/// Keys used: dim, vox, layout, datatype, file (all required, once each), transform, scaling. A missing transform stands for
+/// Keys used: dim, vox, layout, datatype, file (all required, once each), transform, scaling; tensor_order,
+/// tensor_components and tensor_trace (docs/formats/tensors.md). A missing transform stands for
 /// scanner axes with the image's centre at the origin, as in MRtrix3.
 /// A data file must lie in the header's own folder or below it, links followed: a header from elsewhere must not be able to
 /// make the server read other files.

@@ -1,13 +1,12 @@
 #include "io/sh_image.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <limits>
 #include <optional>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "io/glyph_voxels.h"
 #include "io/stored_image.h"
 #include "math/polar.h"
 #include "math/sh_rotation.h"
@@ -30,26 +29,6 @@ ShLayout layoutOf(const StoredImage& image, const ShOptions& options, const std:
     if (!options.full.value_or(false)) right += "even bands have " + countsText(false);
     if (options.full.value_or(true)) right += (right.empty() ? "" : "; ") + ("full bands have " + countsText(true));
     throw Error(Code::kCorrupt, file + ": the image has " + std::to_string(image.size[3]) + " volumes; " + right);
-}
-
-enum class VoxelKind : std::uint8_t { kEmpty, kGlyph, kRejected };
-
-/// What each voxel is. `data`: volume by volume, voxels.size() samples each.
-std::vector<VoxelKind> classify(const std::vector<float>& data, std::size_t voxel_count) {
-    std::vector<VoxelKind> kinds(voxel_count, VoxelKind::kEmpty);
-    parallelFor(voxel_count, 16384, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t first = 0; first < data.size(); first += voxel_count) {
-            for (std::size_t i = begin; i < end; ++i) {
-                const float value = data[first + i];
-                if (!std::isfinite(value)) {
-                    kinds[i] = VoxelKind::kRejected;
-                } else if (value != 0 && kinds[i] == VoxelKind::kEmpty) {
-                    kinds[i] = VoxelKind::kGlyph;
-                }
-            }
-        }
-    });
-    return kinds;
 }
 
 /// Takes the coefficients of each glyph together, converts and turns them. `glyphs`: indices of voxels.
@@ -82,18 +61,9 @@ namespace {
 model::ShImage fromHeader(const StoredImage& stored, const ShOptions& options, const std::string& file) {
     model::ShImage image;
     image.layout = layoutOf(stored, options, file);
-    for (int axis = 0; axis < 3; ++axis) {
-        const std::int64_t length = stored.size[static_cast<std::size_t>(axis)];
-        if (length > std::numeric_limits<int>::max()) {
-            throw Error(Code::kResourceExhausted, file + ": axis " + std::to_string(axis + 1) + " has " +
-                                                      std::to_string(length) + " voxels; at most 2147483647 are read");
-        }
-        image.size[axis] = static_cast<int>(length);
-    }
-    image.voxel_to_world = stored.voxel_to_world;
+    setGrid(stored, file, image);
     image.file_convention = options.convention.value_or(ShConvention::kTournier07);
     image.file_axes = options.axes.value_or(ShAxes::kWorld);
-    image.source = file;
     return image;
 }
 
@@ -108,16 +78,7 @@ model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& o
     model::ShImage image = fromHeader(stored, options, path.filename().string());
     const std::vector<float> data = readSamples(stored);
     const std::size_t voxel_count = data.size() / image.layout.count();
-    const std::vector<VoxelKind> kinds = classify(data, voxel_count);
-    std::vector<std::size_t> glyphs;
-    for (std::size_t i = 0; i < voxel_count; ++i) {
-        if (kinds[i] == VoxelKind::kRejected) ++image.rejected_voxels;
-        if (kinds[i] != VoxelKind::kGlyph) continue;
-        glyphs.push_back(i);
-        const auto row = static_cast<std::size_t>(image.size.x);
-        const std::size_t slice = row * static_cast<std::size_t>(image.size.y);
-        image.voxels.emplace_back(static_cast<int>(i % row), static_cast<int>(i % slice / row), static_cast<int>(i / slice));
-    }
+    const std::vector<std::size_t> glyphs = setVoxels(data, voxel_count, image);
     std::optional<ShRotation> rotation;
     if (image.file_axes == ShAxes::kVoxel) {
         rotation.emplace(image.layout, orthogonalPolarFactor(glm::dmat3(image.voxel_to_world)));

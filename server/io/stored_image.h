@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -11,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include "io/sample_type.h"
+#include "io/tensor_options.h"
 
 namespace radiata::io {
 
@@ -28,6 +30,7 @@ struct StoredImage {
     std::array<bool, 4> reversed{false, false, false, false};  ///< the axis' last sample stands first
     std::filesystem::path data_path;
     std::uint64_t data_offset = 0;  ///< bytes of (decompressed) content before the first sample
+    std::optional<TensorHeader> tensor;  ///< the header calls the volumes components of a tensor
 };
 
 /// Puts n >= 1 axes into x, y, z and volumes: axes behind the third are the volumes, and at most one of them may be longer

@@ -24,6 +24,12 @@ struct ShImage {
     ShConvention file_convention = ShConvention::kTournier07;  ///< how the file was read
     ShAxes file_axes = ShAxes::kWorld;
     std::string source;  ///< short name for messages
+
+    /// Of images that were read as tensors, whose exact SH coefficients then stand above: order 2 to 12; 0: not a tensor image.
+    int tensor_order = 0;
+    /// voxels.size() * symmetricCount(tensor_order) components in world axes, voxel by voxel (math/cartesian_tensor.h)
+    std::vector<float> tensors;
+    std::string tensor_format;  ///< how the file was read: "mrtrix", "voigt-stiffness", ...
 };
 
 }  // namespace radiata::model
