@@ -23,6 +23,15 @@ foreach(layout even2 even8 even16 full4 full16)
     radiata_shader(test_pole_table_${layout} test/pole_table.comp LAYOUT ${layout})
 endforeach()
 
+# The generated code of two odd orders is tested too; frames are drawn by the tensor methods for even orders only.
+foreach(order 2 3 4 5 8 12)
+    radiata_shader(test_tensor_hit${order} test/tensor_hit.comp TENSOR ${order})
+    radiata_shader(test_tensor_value${order} test/tensor_value.comp TENSOR ${order})
+endforeach()
+foreach(order 2 3 4 12)
+    radiata_shader(test_tensor_range${order} test/tensor_range.comp TENSOR ${order})
+endforeach()
+
 radiata_shader(light frame/light.comp)
 radiata_shader(resolve frame/resolve.comp)
 foreach(k 2 4 6 8 10 12 14 16)

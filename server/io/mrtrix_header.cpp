@@ -182,8 +182,8 @@ std::optional<TensorHeader> tensorHeader(const MrtrixText& text) {
     if (text.has("tensor_trace")) {
         const std::vector<double> trace = text.numbers("tensor_trace");
         if (trace.size() != 1 || !std::isfinite(trace[0])) {
-            throw Error(Code::kCorrupt,
-                        text.file() + ": tensor_trace is " + shown(text.only("tensor_trace")) + "; it must be one finite number");
+            throw Error(Code::kCorrupt, text.file() + ": tensor_trace is " + shown(text.only("tensor_trace")) +
+                                            "; it must be one finite number");
         }
         if (header.order % 2 != 0) {
             throw Error(Code::kCorrupt, text.file() + ": tensor_trace is given for order " + std::to_string(header.order) +

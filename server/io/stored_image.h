@@ -29,7 +29,7 @@ struct StoredImage {
     std::array<int, 4> rank{0, 1, 2, 3};  ///< rank[axis]: 0 for the axis that runs fastest in the file; a permutation
     std::array<bool, 4> reversed{false, false, false, false};  ///< the axis' last sample stands first
     std::filesystem::path data_path;
-    std::uint64_t data_offset = 0;  ///< bytes of (decompressed) content before the first sample
+    std::uint64_t data_offset = 0;       ///< bytes of (decompressed) content before the first sample
     std::optional<TensorHeader> tensor;  ///< the header calls the volumes components of a tensor
 };
 

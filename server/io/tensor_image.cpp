@@ -38,7 +38,9 @@ std::string number(double value) {
 std::string countsText(bool entries) {
     std::string text;
     for (int order = kTensorOrderMin; order <= kTensorOrderMax; ++order) {
-        text += (order == kTensorOrderMin ? "" : order == kTensorOrderMax ? " or " : ", ") +
+        text += (order == kTensorOrderMin   ? ""
+                 : order == kTensorOrderMax ? " or "
+                                            : ", ") +
                 std::to_string(entries ? entryCount(order) : symmetricCount(order));
     }
     return text;
@@ -50,8 +52,8 @@ int orderOfVolumes(std::uint64_t volumes, bool entries, const std::string& file)
         if (volumes == (entries ? entryCount(order) : symmetricCount(order))) return order;
     }
     throw Error(Code::kCorrupt, file + ": the image has " + std::to_string(volumes) + " volumes; " +
-                                    (entries ? "all entries" : "the symmetric components") + " of tensors of order 2 to 12 are " +
-                                    countsText(entries));
+                                    (entries ? "all entries" : "the symmetric components") +
+                                    " of tensors of order 2 to 12 are " + countsText(entries));
 }
 
 void requireVolumes(std::uint64_t volumes, bool fits, TensorFormat format, const std::string& right, const std::string& file) {
@@ -63,13 +65,14 @@ void requireVolumes(std::uint64_t volumes, bool fits, TensorFormat format, const
 TensorFormat chooseFormat(const StoredImage& stored, const TensorOptions& options, const std::string& file) {
     if (!options.format && !stored.tensor) {
         throw Error(Code::kInvalidArgument,
-                    file + ": nothing says which volume is which component; name a tensor format, or write tensor_order into a "
-                           ".mif or .mih header");
+                    file +
+                        ": nothing says which volume is which component; name a tensor format, or write tensor_order into a "
+                        ".mif or .mih header");
     }
     if (options.format && stored.tensor && *options.format != stored.tensor->components) {
-        throw Error(Code::kInvalidArgument, file + ": the header says that the volumes are '" +
-                                                std::string(name(stored.tensor->components)) + "', the request reads them as '" +
-                                                std::string(name(*options.format)) + "'; leave the format out");
+        throw Error(Code::kInvalidArgument,
+                    file + ": the header says that the volumes are '" + std::string(name(stored.tensor->components)) +
+                        "', the request reads them as '" + std::string(name(*options.format)) + "'; leave the format out");
     }
     return stored.tensor ? stored.tensor->components : *options.format;
 }
@@ -160,8 +163,9 @@ void checkTrace(const model::ShImage& image, double expected, const std::vector<
         size += std::abs(trace);
     }
     if (std::abs(sum - expected) <= kTraceTolerance * std::max(size, std::abs(expected))) return;
-    throw Error(Code::kCorrupt, image.source + ": the tensors' traces add up to " + number(sum) + ", the header's tensor_trace is " +
-                                    number(expected) + "; order or tensor_components are not those of the samples");
+    throw Error(Code::kCorrupt, image.source + ": the tensors' traces add up to " + number(sum) +
+                                    ", the header's tensor_trace is " + number(expected) +
+                                    "; order or tensor_components are not those of the samples");
 }
 
 model::ShImage fromHeader(const StoredImage& stored, const TensorOptions& options, const std::string& file) {

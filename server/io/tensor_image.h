@@ -9,11 +9,11 @@
 
 namespace radiata::io {
 
-/// Reads tensors of order 2 to 12. Each is symmetrised (its glyph depends on nothing else), turned to world axes and kept twice:
-/// as components and as SH bands to its order, both converted in double and rounded once to float.
-/// Directions in voxel axes are turned by the orthogonal polar factor of the grid's matrix, as readShImage() does; format fsl
-/// first mirrors the first axis of right-handed grids, which is FSL's rule.
-/// \throws as readVolume(); Error(kInvalidArgument) if neither options nor header name the components or if they contradict
+/// Reads tensors of order 2 to 12. Each is symmetrised (its glyph depends on nothing else), turned to world axes and kept
+/// twice: as components and as SH bands to its order, both converted in double and rounded once to float. Directions in voxel
+/// axes are turned by the orthogonal polar factor of the grid's matrix, as readShImage() does; format fsl first mirrors the
+/// first axis of right-handed grids, which is FSL's rule. \throws as readVolume(); Error(kInvalidArgument) if neither options
+/// nor header name the components or if they contradict
 ///         each other, (kCorrupt) for a number of volumes that the format does not have or a trace other than the header's,
 ///         (kUnsupported) for orders above 12
 model::ShImage readTensorImage(const std::filesystem::path& path, const TensorOptions& options = {});

@@ -34,7 +34,8 @@ TensorFormat tensorFormatFromName(std::string_view name) {
         if (text == name) return value;
         list += (list.empty() ? "" : ", ") + std::string(text);
     }
-    throw Error(Code::kInvalidArgument, "tensor format '" + std::string(name.substr(0, 40)) + "' is not known; " + list + " are");
+    throw Error(Code::kInvalidArgument,
+                "tensor format '" + std::string(name.substr(0, 40)) + "' is not known; " + list + " are");
 }
 
 }  // namespace radiata::io

@@ -1,7 +1,7 @@
 // Cartesian tensors of any order as functions on the sphere: f(x) = T_(i1 i2 ... in) x_i1 x_i2 ... x_in.
 // Source: Hlawitschka et al., Reynolds glyphs, Eq. 2, 4 and 5.
-// The product x_i1 ... x_in does not change when indices change places, so f, and with it the glyph, depends only on the mean of
-// T over all permutations of its indices: its symmetric part, which has (n + 1) (n + 2) / 2 components instead of 3^n.
+// The product x_i1 ... x_in does not change when indices change places, so f, and with it the glyph, depends only on the mean
+// of T over all permutations of its indices: its symmetric part, which has (n + 1) (n + 2) / 2 components instead of 3^n.
 // Component (a, b, c) of a symmetric tensor is the value of every entry with a indices x, b indices y and c indices z. They are
 // ordered by falling a, then by falling b: order 2 is xx, xy, xz, yy, yz, zz.
 #pragma once
@@ -25,9 +25,7 @@ struct TensorPowers {
 };
 
 /// Components of a symmetric tensor: (order + 1) (order + 2) / 2.
-constexpr std::size_t symmetricCount(int order) {
-    return static_cast<std::size_t>((order + 1) * (order + 2) / 2);
-}
+constexpr std::size_t symmetricCount(int order) { return static_cast<std::size_t>((order + 1) * (order + 2) / 2); }
 /// Entries of any tensor: 3^order.
 constexpr std::size_t entryCount(int order) {
     std::size_t count = 1;

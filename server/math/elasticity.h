@@ -13,9 +13,9 @@ namespace radiata {
 ///  kMandel           M_IJ = T_ijkl, times sqrt 2 for each of I, J that is a shear pair (stiffness and compliance alike)
 enum class ElasticityConvention { kVoigtStiffness, kVoigtCompliance, kMandel };
 
-/// The symmetric part of the tensor of order 4 that a matrix stands for (math/cartesian_tensor.h): 15 components. What the glyph
-/// does not show is gone from it: the part of the matrix that is not symmetric, and the 6 numbers by which C_iijj and C_ijij differ.
-/// \param matrix  36 values, row by row
+/// The symmetric part of the tensor of order 4 that a matrix stands for (math/cartesian_tensor.h): 15 components. What the
+/// glyph does not show is gone from it: the part of the matrix that is not symmetric, and the 6 numbers by which C_iijj and
+/// C_ijij differ. \param matrix  36 values, row by row
 std::vector<double> symmetricFromMatrix(std::span<const double> matrix, ElasticityConvention convention);
 
 /// 36 values from the 21 on and above the diagonal, row by row.

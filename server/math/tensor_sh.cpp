@@ -87,18 +87,20 @@ TensorSh::TensorSh(int order) : order_(order), layout_{order, order % 2 != 0} {
     // Inverted with each component in units of 1 / sqrt(multiplicity), where the matrix is nearly orthogonal.
     std::vector<double> balanced = to_sh_;
     for (std::size_t row = 0; row < n; ++row) {
-        for (std::size_t column = 0; column < n; ++column) balanced[row * n + column] /= std::sqrt(multiplicity(components[column]));
+        for (std::size_t column = 0; column < n; ++column)
+            balanced[row * n + column] /= std::sqrt(multiplicity(components[column]));
     }
     to_tensor_ = inverse(std::move(balanced), n);
     for (std::size_t row = 0; row < n; ++row) {
-        for (std::size_t column = 0; column < n; ++column) to_tensor_[row * n + column] /= std::sqrt(multiplicity(components[row]));
+        for (std::size_t column = 0; column < n; ++column)
+            to_tensor_[row * n + column] /= std::sqrt(multiplicity(components[row]));
     }
 }
 
 void TensorSh::toSh(std::span<const double> components, std::span<double> coefficients) const {
     if (components.size() != used_.size() || coefficients.size() != layout_.count()) {
-        throw Error(Code::kInternal, "TensorSh: " + std::to_string(components.size()) + " components of order " +
-                                         std::to_string(order_));
+        throw Error(Code::kInternal,
+                    "TensorSh: " + std::to_string(components.size()) + " components of order " + std::to_string(order_));
     }
     const std::vector<double> values = times(to_sh_, components);
     std::ranges::fill(coefficients, 0.0);
@@ -107,8 +109,8 @@ void TensorSh::toSh(std::span<const double> components, std::span<double> coeffi
 
 void TensorSh::toTensor(std::span<const double> coefficients, std::span<double> components) const {
     if (components.size() != used_.size() || coefficients.size() != layout_.count()) {
-        throw Error(Code::kInternal, "TensorSh: " + std::to_string(coefficients.size()) + " coefficients for order " +
-                                         std::to_string(order_));
+        throw Error(Code::kInternal,
+                    "TensorSh: " + std::to_string(coefficients.size()) + " coefficients for order " + std::to_string(order_));
     }
     std::vector<double> values;
     for (const std::size_t index : used_) values.push_back(coefficients[index]);

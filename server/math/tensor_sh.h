@@ -1,7 +1,7 @@
 // Between symmetric Cartesian tensors and spherical harmonics: two names of the same functions on the sphere.
-// Homogeneous polynomials of degree n restricted to the sphere are exactly the span of bands n, n - 2, n - 4, ..., and both have
-// (n + 1) (n + 2) / 2 coefficients, so the map is a square matrix and nothing is lost either way.
-// Source: Hlawitschka et al., Sec. 3.1 (the matrix M of scalar products on the sphere).
+// Homogeneous polynomials of degree n restricted to the sphere are exactly the span of bands n, n - 2, n - 4, ..., and both
+// have (n + 1) (n + 2) / 2 coefficients, so the map is a square matrix and nothing is lost either way. Source: Hlawitschka et
+// al., Sec. 3.1 (the matrix M of scalar products on the sphere).
 #pragma once
 
 #include <span>
@@ -30,7 +30,7 @@ public:
 private:
     int order_;
     ShLayout layout_;
-    std::vector<std::size_t> used_;  ///< coefficients of the order's parity
+    std::vector<std::size_t> used_;          ///< coefficients of the order's parity
     std::vector<double> to_sh_, to_tensor_;  ///< square, row by row
 };
 

@@ -33,8 +33,9 @@ test::NiftiFile nifti(const std::vector<std::vector<double>>& voxels) {
 }
 
 test::MrtrixFile mrtrix(const std::vector<std::vector<double>>& voxels, int order, const std::string& components) {
-    test::MrtrixFile file = test::mrtrixFile(
-        {static_cast<std::int64_t>(voxels.size()), 1, 1, static_cast<std::int64_t>(voxels[0].size())}, "+0,+1,+2,+3", "Float32LE");
+    test::MrtrixFile file =
+        test::mrtrixFile({static_cast<std::int64_t>(voxels.size()), 1, 1, static_cast<std::int64_t>(voxels[0].size())},
+                         "+0,+1,+2,+3", "Float32LE");
     test::set(file, "tensor_order", std::to_string(order));
     test::set(file, "tensor_components", components);
     file.data = volumes(voxels);
@@ -49,7 +50,8 @@ double amplitude(const model::ShImage& image, std::size_t voxel, const glm::dvec
 double ownAmplitude(const model::ShImage& image, std::size_t voxel, const glm::dvec3& direction) {
     const std::size_t stride = symmetricCount(image.tensor_order);
     const auto first = image.tensors.begin() + static_cast<std::ptrdiff_t>(voxel * stride);
-    return evaluateTensor(image.tensor_order, std::vector<double>(first, first + static_cast<std::ptrdiff_t>(stride)), direction);
+    return evaluateTensor(image.tensor_order, std::vector<double>(first, first + static_cast<std::ptrdiff_t>(stride)),
+                          direction);
 }
 
 /// The sentence and code with which reading fails.
@@ -108,7 +110,8 @@ TEST(TensorImage, AxesAreThoseOfTheFormat) {
         fsl.srow = dipy.srow;
         const model::ShImage voxel = readTensorImage(folder.write("d.nii", test::bytes(dipy)), {TensorFormat::kDipy, {}});
         const model::ShImage mirrored = readTensorImage(folder.write("f.nii", test::bytes(fsl)), {TensorFormat::kFsl, {}});
-        const model::ShImage told = readTensorImage(folder.write("f.nii", test::bytes(fsl)), {TensorFormat::kFsl, ShAxes::kVoxel});
+        const model::ShImage told =
+            readTensorImage(folder.write("f.nii", test::bytes(fsl)), {TensorFormat::kFsl, ShAxes::kVoxel});
         for (int i = 0; i < 20; ++i) {
             const glm::dvec3 v = test::randomDirection(random);  // in voxel axes
             const glm::dvec3 world(-v.y, sign * v.x, v.z);
@@ -129,15 +132,15 @@ TEST(TensorImage, StiffnessGlyphIsTheDirectContraction) {
     for (double& value : upper) value = static_cast<double>(static_cast<float>(uniform(random)));
     std::size_t next = 0;
     for (std::size_t row = 0; row < 6; ++row) {
-        for (std::size_t column = row; column < 6; ++column) matrix[6 * row + column] = matrix[6 * column + row] = upper[next++];
+        for (std::size_t column = row; column < 6; ++column)
+            matrix[6 * row + column] = matrix[6 * column + row] = upper[next++];
     }
     constexpr std::size_t kPair[9] = {0, 5, 4, 5, 1, 3, 4, 3, 2};
     for (std::size_t ij = 0; ij < 9; ++ij) {
         for (std::size_t kl = 0; kl < 9; ++kl) entries.push_back(matrix[6 * kPair[ij] + kPair[kl]]);
     }
-    const std::vector<std::pair<TensorFormat, std::vector<double>>> files{{TensorFormat::kVoigtStiffness, upper},
-                                                                          {TensorFormat::kVoigtStiffness, matrix},
-                                                                          {TensorFormat::kEntries, entries}};
+    const std::vector<std::pair<TensorFormat, std::vector<double>>> files{
+        {TensorFormat::kVoigtStiffness, upper}, {TensorFormat::kVoigtStiffness, matrix}, {TensorFormat::kEntries, entries}};
     for (const auto& [format, values] : files) {
         const model::ShImage image = readTensorImage(folder.write("c.nii", test::bytes(nifti({values}))), {format, {}});
         EXPECT_EQ(image.layout, (ShLayout{4, false}));
@@ -146,8 +149,8 @@ TEST(TensorImage, StiffnessGlyphIsTheDirectContraction) {
             const glm::dvec3 x = test::randomDirection(random);
             double direct = 0;
             for (std::size_t e = 0; e < 81; ++e) {
-                direct += entries[e] * x[static_cast<int>(e / 27)] * x[static_cast<int>(e / 9 % 3)] * x[static_cast<int>(e / 3 % 3)] *
-                          x[static_cast<int>(e % 3)];
+                direct += entries[e] * x[static_cast<int>(e / 27)] * x[static_cast<int>(e / 9 % 3)] *
+                          x[static_cast<int>(e / 3 % 3)] * x[static_cast<int>(e % 3)];
             }
             worst = std::max({worst, std::abs(amplitude(image, 0, x) - direct), std::abs(ownAmplitude(image, 0, x) - direct)});
         }
@@ -175,7 +178,8 @@ TEST(TensorImage, EveryOrderIsReadFromItsOwnHeader) {
             const glm::dvec3 x = test::randomDirection(random);
             const double expected = evaluateTensor(order, components, x);
             size = std::max(size, std::abs(expected));
-            worst = std::max({worst, std::abs(amplitude(image, 0, x) - expected), std::abs(ownAmplitude(image, 0, x) - expected)});
+            worst =
+                std::max({worst, std::abs(amplitude(image, 0, x) - expected), std::abs(ownAmplitude(image, 0, x) - expected)});
         }
         EXPECT_LT(worst, 1e-6 * std::max(size, 1.0)) << order;
     }
@@ -188,7 +192,8 @@ TEST(TensorImage, HeadersThatDisagreeAreRefusedInOneSentence) {
         return [&folder, file, options] { readTensorImage(folder.write("t.mif", test::mifBytes(file)), options); };
     };
     test::MrtrixFile file = mrtrix({six, six}, 4, "symmetric");
-    refused(read(file), Code::kCorrupt, "t.mif: the image has 6 volumes; tensor_order 4 with tensor_components symmetric needs 15");
+    refused(read(file), Code::kCorrupt,
+            "t.mif: the image has 6 volumes; tensor_order 4 with tensor_components symmetric needs 15");
     file = mrtrix({six, six}, 14, "symmetric");
     refused(read(file), Code::kUnsupported, "tensor_order is 14; tensors of order 2 to 12 are read");
     file = mrtrix({six, six}, 2, "half");

@@ -68,7 +68,9 @@ TEST(CartesianTensor, FullTraceIsTheSumOverPairedIndices) {
     double paired = 0;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
-            const auto at = [&](int a, int b, int c, int d) { return entries[static_cast<std::size_t>(27 * a + 9 * b + 3 * c + d)]; };
+            const auto at = [&](int a, int b, int c, int d) {
+                return entries[static_cast<std::size_t>(27 * a + 9 * b + 3 * c + d)];
+            };
             paired += (at(i, i, j, j) + at(i, j, i, j) + at(i, j, j, i)) / 3;
         }
     }
@@ -81,7 +83,8 @@ TEST(CartesianTensor, TurnsAndMirrorsWithItsDirections) {
     std::mt19937 random(3);
     std::normal_distribution<double> normal;
     for (const int order : {2, 3, 4, 8, 12}) {
-        glm::dmat3 matrix = glm::mat3_cast(glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random))));
+        glm::dmat3 matrix =
+            glm::mat3_cast(glm::normalize(glm::dquat(normal(random), normal(random), normal(random), normal(random))));
         if (order % 4 == 0) matrix[1] = -matrix[1];
         const std::vector<double> before = randomValues(random, symmetricCount(order));
         std::vector<double> after = before;
@@ -91,7 +94,8 @@ TEST(CartesianTensor, TurnsAndMirrorsWithItsDirections) {
         for (const TensorPowers powers : symmetricComponents(order)) norm += multiplicity(powers) * before[i] * before[i], ++i;
         for (int n = 0; n < 20; ++n) {
             const glm::dvec3 x = test::randomDirection(random);
-            EXPECT_NEAR(evaluateTensor(order, after, matrix * x), evaluateTensor(order, before, x), 1e-13 * std::sqrt(norm)) << order;
+            EXPECT_NEAR(evaluateTensor(order, after, matrix * x), evaluateTensor(order, before, x), 1e-13 * std::sqrt(norm))
+                << order;
         }
     }
     EXPECT_THROW(TensorRotation(4, glm::dmat3(2.0)), Error);

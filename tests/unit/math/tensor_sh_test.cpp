@@ -38,7 +38,8 @@ TEST(TensorSh, IsTheSameFunctionInEveryOrder) {
             }
             forth = std::max(forth, worst / largest);
         }
-        std::printf("order %2d: function %.1e of its largest value, components after there and back %.1e\n", order, forth, back);
+        std::printf("order %2d: function %.1e of its largest value, components after there and back %.1e\n", order, forth,
+                    back);
         EXPECT_LT(forth, 1e-13) << order;
         EXPECT_LT(back, 1e-12) << order;
     }
