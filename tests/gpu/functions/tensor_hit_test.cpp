@@ -80,7 +80,7 @@ TEST_F(TensorHits, InterpolationIsBetterThanTwoBisectionsForShortSteps) {
             Tally linear = tally(glyph, {TensorMethod::kMarch, step, 0, true, false, 12}, rays, near);
             std::printf("order %d step %.2f: median error %.1e by two bisections, %.1e by three, %.1e by interpolation\n",
                         order, near, two.median(), three.median(), linear.median());
-            if (near < 0.03) EXPECT_LT(linear.median(), two.median());
+            EXPECT_TRUE(near > 0.03 || linear.median() < two.median()) << order << " " << step;
         }
     }
 }
