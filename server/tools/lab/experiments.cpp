@@ -10,6 +10,9 @@ const std::vector<Experiment>& experiments() {
          "one glyph filling the picture: ns per pixel and wrong pixels of the march and of Peters' solver",
          marchVersusPolynomial},
         {"glyph-pareto", "one glyph by every method and setting: time against error, with the Pareto front", glyphPareto},
+        {"peters-fig3", "Peters et al. 2023, Fig. 3: roots in the ray parameter and in the turned frame, single precision",
+         petersFig3},
+        {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
     };
     return kAll;
 }
