@@ -5,11 +5,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string>
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "build/bounds_certificate.h"
 #include "build/sphere_grid.h"
 #include "math/sh_evaluate.h"
 
@@ -86,52 +86,18 @@ void sampleTile(const float* tile, const float* first, const float* second, std:
     }
 }
 
-/// The next float above, or the largest there is.
-float roundUp(double value) {
-    constexpr float kMax = std::numeric_limits<float>::max();
-    return value >= kMax ? kMax : std::nextafter(static_cast<float>(value), kMax);
+/// The largest over the lanes.
+shader::GlyphExtremes gather(const Extremes& lanes) {
+    shader::GlyphExtremes extremes{maximum(lanes.f_max), maximum(-lanes.f_min), {}, {}, {}, {}};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto a = static_cast<std::size_t>(axis);
+        extremes.positive_up[axis] = maximum(lanes.positive_up[a]);
+        extremes.positive_down[axis] = maximum(lanes.positive_down[a]);
+        extremes.negative_up[axis] = maximum(lanes.negative_up[a]);
+        extremes.negative_down[axis] = maximum(lanes.negative_down[a]);
+    }
+    return extremes;
 }
-
-/// Turns samples into bounds.
-struct Certifier {
-    ShLayout layout;
-    double tau;
-
-    /// Bound (1) of the header.
-    double global(double sample, int degree) const { return sample / std::cos(degree * tau); }
-    /// Bound (2) of the header.
-    double local(double sample, double all, int degree) const {
-        return std::min(all, sample + degree * degree * all * tau * tau / 2);
-    }
-
-    /// \param norm   Euclidean norm of the coefficients that were sampled
-    /// \param scale  of the glyph's own coefficients over those
-    GlyphBounds certify(const Extremes& extremes, bool negative_lobes, double norm, double scale) const {
-        // A sum of `count` products in float errs by at most count eps sum |c y|; sum c^2 = norm^2 and sum y^2 = count / 4 pi.
-        const double count = static_cast<double>(layout.count());
-        const double slack = (count + 8) * 0x1p-24 * norm * std::sqrt(count / (4 * std::numbers::pi));
-        const double f_max = maximum(extremes.f_max);
-        const double f_abs = std::max<double>(f_max, maximum(-extremes.f_min));
-        GlyphBounds bounds;
-        bounds.amplitude_max = static_cast<float>(std::min<double>(f_abs * scale, std::numeric_limits<float>::max()));
-        double radius = global(f_abs + slack, layout.lmax);
-        if (!negative_lobes) radius = local(f_max + slack, radius, layout.lmax);
-        if (norm == 0 || radius <= 0) return bounds;
-        for (int axis = 0; axis < 3; ++axis) {
-            const double up = maximum(extremes.positive_up[axis]), down = maximum(extremes.positive_down[axis]);
-            const double negative_up = maximum(extremes.negative_up[axis]);
-            const double negative_down = maximum(extremes.negative_down[axis]);
-            const double all = global(std::max({up, down, negative_up, negative_down}) + slack, layout.lmax + 1);
-            double above = negative_lobes ? std::max(up, negative_up) : up;
-            double below = negative_lobes ? std::max(down, negative_down) : down;
-            if (!layout.full) above = below = std::max(above, below);
-            bounds.max[axis] = roundUp(scale * std::min(radius, local(above + slack, all, layout.lmax + 1)));
-            bounds.min[axis] = -roundUp(scale * std::min(radius, local(below + slack, all, layout.lmax + 1)));
-        }
-        bounds.radius = roundUp(scale * radius);
-        return bounds;
-    }
-};
 
 }  // namespace
 
@@ -190,9 +156,9 @@ void BoundsEvaluator::evaluateBlock(std::span<const float> coefficients, bool ne
             sampleTile(tile, first, first + count, count, extremes[g], extremes[g + 1]);
         }
     }
-    const Certifier certifier{layout_, covering_radius_};
     for (std::size_t g = 0; g < out.size(); ++g) {
-        out[g] = certifier.certify(extremes[g], negative_lobes, std::sqrt(norms[g]), scales[g]);
+        out[g] =
+            certifyBounds(layout_, covering_radius_, {gather(extremes[g]), std::sqrt(norms[g]), scales[g]}, negative_lobes);
     }
 }
 

@@ -5,6 +5,8 @@
 
 #include "base/checked.h"
 #include "build/glyph_instances.h"
+#include "gpu/device.h"
+#include "store/device_bounds.h"
 
 namespace radiata::store {
 namespace {
@@ -22,7 +24,8 @@ std::vector<float> gather(const model::ShImage& image, std::span<const std::uint
 
 }  // namespace
 
-GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::ShImage image) : image_(std::move(image)) {
+GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::ShImage image)
+    : device_(device), image_(std::move(image)) {
     info_.id = id;
     info_.size = image_.size;
     info_.voxel_to_world = image_.voxel_to_world;
@@ -61,7 +64,12 @@ std::vector<GlyphBounds> GlyphDataset::bounds(std::span<const std::uint32_t> slo
     if (!missing.empty()) {
         const ShLayout layout{lmax, image_.layout.full};
         std::vector<GlyphBounds> computed(missing.size());
-        BoundsEvaluator(layout).evaluate(gather(image_, missing, layout), negative_lobes, computed);
+        if (device_.info().software) {
+            BoundsEvaluator(layout).evaluate(gather(image_, missing, layout), negative_lobes, computed);
+        } else {
+            DeviceBounds evaluator(device_, layout);
+            computed = evaluator.evaluate(coefficients_, image_.coefficients, image_.layout.count(), missing, negative_lobes);
+        }
         for (std::size_t i = 0; i < missing.size(); ++i) {
             cache.bounds[missing[i]] = computed[i];
             cache.known[missing[i]] = true;

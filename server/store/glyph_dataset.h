@@ -26,7 +26,8 @@ public:
     /// float[glyphs][layout.count()], addressed by slot
     const gpu::Buffer& coefficients() const { return coefficients_; }
 
-    /// Certified bounds of some slots' glyphs with bands up to `lmax`, in units of amplitude.
+    /// Certified bounds of some slots' glyphs with bands up to `lmax`, in units of amplitude; sampled by the device unless it
+    /// is a CPU driver, on which our own threads are faster.
     std::vector<GlyphBounds> bounds(std::span<const std::uint32_t> slots, int lmax, bool negative_lobes) const;
 
 private:
@@ -34,6 +35,7 @@ private:
         std::vector<GlyphBounds> bounds;
         std::vector<bool> known;
     };
+    gpu::Device& device_;
     model::ShImage image_;
     model::DatasetInfo info_;
     gpu::Buffer coefficients_;
