@@ -61,31 +61,42 @@ void list(const Connection& connection, const Options& options) {
     if (options.json) return print(response);
     std::vector<Row> rows;
     for (const v1::Dataset& entry : response.datasets()) {
+        const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())), sizeText(entry),
-                        std::to_string(entry.lmax()), std::to_string(entry.glyph_count()), residence(entry)});
+                        scalar ? "" : std::to_string(entry.lmax()), scalar ? "" : std::to_string(entry.glyph_count()),
+                        scalar ? "" : residence(entry)});
     }
     print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "GPU memory"}, rows));
 }
 
+void addGlyphRows(const v1::Dataset& entry, std::vector<Row>& rows) {
+    rows.push_back({"bands", "to " + std::to_string(entry.lmax()) + (entry.full_basis() ? ", odd ones too" : ", even ones")});
+    rows.push_back({"convention", entry.convention() + ", " + entry.axes() + " axes"});
+    rows.push_back({"glyphs", std::to_string(entry.glyph_count())});
+    rows.push_back({"rejected voxels", std::to_string(entry.rejected_voxels())});
+    rows.push_back({"largest amplitude", std::to_string(entry.amplitude_max())});
+}
+
 std::string describe(const v1::Dataset& entry) {
+    const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
     std::vector<Row> rows = {
         {"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
         {"voxels", sizeText(entry)},
-        {"bands", "to " + std::to_string(entry.lmax()) + (entry.full_basis() ? ", odd ones too" : ", even ones")},
-        {"convention", entry.convention() + ", " + entry.axes() + " axes"},
-        {"glyphs", std::to_string(entry.glyph_count())},
-        {"rejected voxels", std::to_string(entry.rejected_voxels())},
-        {"largest amplitude", std::to_string(entry.amplitude_max())},
-        {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
-        {"bounds maximum mm", pointText(entry.bounds_world().maximum())},
     };
+    if (scalar) {
+        rows.push_back({"values", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)});
+    } else {
+        addGlyphRows(entry, rows);
+    }
+    rows.push_back({"bounds minimum mm", pointText(entry.bounds_world().minimum())});
+    rows.push_back({"bounds maximum mm", pointText(entry.bounds_world().maximum())});
     for (int r = 0; r * 4 + 3 < entry.voxel_to_world().rows_size(); ++r) {
         std::string row;
         for (int c = 0; c < 4; ++c) row += (c == 0 ? "" : ", ") + formatNumber(entry.voxel_to_world().rows(r * 4 + c), 4);
         rows.push_back({r == 0 ? "voxel to world" : "", row});
     }
     const std::string exact = entry.gpu_bytes() == 0 ? "" : " (" + std::to_string(entry.gpu_bytes()) + " bytes)";
-    rows.push_back({"GPU memory", residence(entry) + exact});
+    if (!scalar) rows.push_back({"GPU memory", residence(entry) + exact});
     return formatTable({"dataset", entry.id()}, rows);
 }
 

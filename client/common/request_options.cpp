@@ -75,6 +75,39 @@ void setSelection(v1::VoxelSelection& selection, const RequestOptions& options) 
     if (oblique) setVector(*slice.mutable_normal(), options.normal);
 }
 
+template <typename Message>
+void setMap(Message& message, const RequestOptions& options) {
+    message.set_map(options.colour_map);
+    if (options.colour_range.empty()) return;
+    message.mutable_range()->set_low(static_cast<float>(options.colour_range[0]));
+    message.mutable_range()->set_high(static_cast<float>(options.colour_range[1]));
+}
+
+void setColour(v1::GlyphLayer& glyphs, const RequestOptions& options) {
+    const bool scalar = options.colour == "scalar", mapped = scalar || options.colour == "radius";
+    const bool uniform = options.colour == "uniform";
+    if (!mapped && (options.colour_map != v1::COLOUR_MAP_UNSPECIFIED || !options.colour_range.empty())) {
+        refuse("--colour-map and --colour-range go with --colour radius or scalar only");
+    }
+    if (scalar == options.colour_image.empty()) {
+        refuse(scalar ? "--colour scalar needs --colour-image ID" : "--colour-image goes with --colour scalar only");
+    }
+    if (!uniform && !options.uniform_colour.empty()) refuse("--uniform-colour goes with --colour uniform only");
+    if (options.colour.empty()) return;
+    v1::GlyphColour& colour = *glyphs.mutable_colour();
+    if (scalar) {
+        colour.mutable_scalar()->set_image_id(options.colour_image);
+        setMap(*colour.mutable_scalar(), options);
+    } else if (mapped) {
+        setMap(*colour.mutable_radius(), options);
+    } else if (uniform) {
+        setVector(*colour.mutable_uniform(),
+                  options.uniform_colour.empty() ? std::vector<double>{0.5, 0.5, 0.5} : options.uniform_colour);
+    } else {
+        colour.mutable_direction();
+    }
+}
+
 void setQuality(v1::Quality& quality, const RequestOptions& options) {
     if (options.samples) quality.set_samples(*options.samples);
     quality.set_intersection(options.intersection);
@@ -88,9 +121,16 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     connection.prepare(context);
     v1::ListDatasetsResponse response;
     connection.check(stub.ListDatasets(&context, {}, &response));
-    if (response.datasets_size() == 1) return response.datasets(0).id();
     std::string ids;
-    for (const v1::Dataset& dataset : response.datasets()) ids += (ids.empty() ? "" : ", ") + dataset.id();
+    std::string only;
+    int count = 0;
+    for (const v1::Dataset& dataset : response.datasets()) {
+        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME) continue;  // colours glyphs and has none
+        ids += (ids.empty() ? "" : ", ") + dataset.id();
+        only = dataset.id();
+        ++count;
+    }
+    if (count == 1) return only;
     refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
 }
 
@@ -107,6 +147,18 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     app.add_option("--factor", options.factor, "Factor on the radii (default 1)");
     app.add_option("--lmax", options.lmax, "Highest band drawn (default: all)");
     addWords(app, "--lobes", options.lobes, v1::NegativeLobes_descriptor(), "Negative lobes (default hidden)");
+    app.add_option("--colour", options.colour, "What colours the glyphs (default direction)")
+        ->check(CLI::IsMember({"direction", "radius", "scalar", "uniform"}));
+    addWords(app, "--colour-map", options.colour_map, v1::ColourMap_descriptor(),
+             "Colour map of --colour radius and scalar (default viridis)");
+    app.add_option("--colour-range", options.colour_range,
+                   "Ends of the map: radii in mm (default 0 to the typical one), or values (default those of the whole image)")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("LOW,HIGH");
+    app.add_option("--colour-image", options.colour_image, "Catalogue id of the scalar volume of --colour scalar");
+    addVector(app, "--uniform-colour", options.uniform_colour, "Colour of --colour uniform, linear RGB 0 to 1 (default grey)")
+        ->type_name("R,G,B");
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
     app.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
     addWords(app, "--convention", options.convention, v1::Annotations::Convention_descriptor(),
@@ -140,6 +192,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
     if (options.lmax) glyphs.set_lmax(*options.lmax);
     glyphs.set_negative_lobes(options.lobes);
+    setColour(glyphs, options);
     if (!options.light_direction.empty())
         setVector(*scene.mutable_light()->mutable_direction_camera(), options.light_direction);
     if (options.irradiance) scene.mutable_light()->set_irradiance(*options.irradiance);

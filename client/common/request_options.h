@@ -28,6 +28,11 @@ struct RequestOptions {
     std::optional<float> factor;
     std::optional<std::uint32_t> lmax;
     v1::NegativeLobes lobes = v1::NEGATIVE_LOBES_HIDDEN;
+    std::string colour;  ///< direction, radius, scalar or uniform; empty: the server's choice
+    v1::ColourMap colour_map = v1::COLOUR_MAP_UNSPECIFIED;
+    std::vector<double> colour_range;  ///< two numbers
+    std::string colour_image;
+    std::vector<double> uniform_colour;
     std::optional<float> opacity;
     std::string size = "1280x720";
     v1::Annotations::Convention convention = v1::Annotations::CONVENTION_RADIOLOGICAL;

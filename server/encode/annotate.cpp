@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include <ft2build.h>
@@ -15,7 +16,8 @@ namespace {
 
 constexpr int kSideMin = 48;  // px; smaller pictures get no marks
 constexpr double kTextHeight = 1.0 / 42;
-constexpr int kTextMin = 10;  // px
+constexpr int kBarSideMin = 160;  // px; smaller pictures get no legend
+constexpr int kTextMin = 10;      // px
 constexpr double kLineSpacing = 1.3;
 
 struct Rect {
@@ -86,6 +88,23 @@ int place(float anchor, model::MarkAlign align, int extent, int side, int margin
     return static_cast<int>(std::lround(position - extent / 2.0));
 }
 
+int textSize(const Picture& picture) { return std::max(kTextMin, static_cast<int>(std::lround(picture.height * kTextHeight))); }
+
+/// The table from bottom to top in a dark frame one pixel wide.
+void fillBar(Picture& picture, const ColourTable& table, const Rect& box) {
+    for (int y = box.top; y < box.bottom; ++y) {
+        const int entry = 255 * (box.bottom - 2 - y) / std::max(1, box.bottom - box.top - 3);
+        const glm::vec3 colour = table[static_cast<std::size_t>(std::clamp(entry, 0, 255))];
+        for (int x = box.left; x < box.right; ++x) {
+            const bool frame = y == box.top || y == box.bottom - 1 || x == box.left || x == box.right - 1;
+            std::uint8_t* pixel =
+                picture.rgba.data() +
+                (static_cast<std::size_t>(y) * static_cast<std::size_t>(picture.width) + static_cast<std::size_t>(x)) * 4;
+            for (int c = 0; c < 3; ++c) pixel[c] = frame ? 0 : static_cast<std::uint8_t>(std::lround(255 * colour[c]));
+        }
+    }
+}
+
 }  // namespace
 
 struct Annotator::Impl {
@@ -142,7 +161,7 @@ Annotator& Annotator::operator=(Annotator&&) noexcept = default;
 void Annotator::draw(Picture& picture, std::span<const model::Mark> marks) {
     if (picture.width < kSideMin || picture.height < kSideMin) return;
     check(picture);
-    const int text_px = std::max(kTextMin, static_cast<int>(std::lround(picture.height * kTextHeight)));
+    const int text_px = textSize(picture);
     const int margin = text_px / 3;
     std::vector<Rect> taken;
     for (const model::Mark& mark : marks) {
@@ -162,6 +181,30 @@ void Annotator::draw(Picture& picture, std::span<const model::Mark> marks) {
         taken.push_back(core);
         blend(picture, dilate(mask, border), left, top, 0);
         blend(picture, mask, left, top, 255);
+    }
+}
+
+void Annotator::drawBars(Picture& picture, std::span<const model::ColourBar> bars) {
+    if (picture.width < kBarSideMin || picture.height < kBarSideMin) return;
+    check(picture);
+    const int text_px = textSize(picture);
+    const int margin = text_px / 3, border = std::max(1, text_px / 10);
+    int right = picture.width - margin;
+    for (const model::ColourBar& bar : bars) {
+        const Mask title = impl_->write(bar.title, text_px, border), low = impl_->write(bar.low, text_px, border),
+                   high = impl_->write(bar.high, text_px, border);
+        const int numbers = std::max(low.width, high.width);
+        const int width = std::max(title.width, numbers + text_px);
+        if (right - width < picture.width / 2) return;
+        const int top = margin + title.height, bottom = top + picture.height / 3;
+        fillBar(picture, colourTable(bar.map), {right - text_px, top, right, bottom});
+        for (const auto& [mask, left, y] :
+             {std::tuple{&title, right - title.width, margin}, std::tuple{&high, right - text_px - high.width, top},
+              std::tuple{&low, right - text_px - low.width, bottom - low.height}}) {
+            blend(picture, dilate(*mask, border), left, y, 0);
+            blend(picture, *mask, left, y, 255);
+        }
+        right -= width + text_px;
     }
 }
 

@@ -26,6 +26,10 @@ public:
     /// it is left out; a picture with a side under 48 pixels gets none.
     void draw(Picture& picture, std::span<const model::Mark> marks);
 
+    /// Draws legends side by side from the upper right corner to the left, each a third of the picture high; those that do not
+    /// fit into the right half of it are left out, and so are all in pictures with a side under 160 pixels.
+    void drawBars(Picture& picture, std::span<const model::ColourBar> bars);
+
 private:
     struct Impl;
     std::unique_ptr<Impl> impl_;

@@ -11,8 +11,12 @@
 
 namespace radiata::model {
 
+/// What a dataset holds. Scalar volumes have size, place and the range of their values; the rest is about glyphs.
+enum class DatasetKind { kShImage, kScalarVolume };
+
 struct DatasetInfo {
     std::string id;  ///< [a-z0-9_-], 1 to 64 characters
+    DatasetKind kind = DatasetKind::kShImage;
     glm::ivec3 size{0};
     glm::dmat4 voxel_to_world{1.0};
     ShLayout layout;
@@ -23,6 +27,7 @@ struct DatasetInfo {
     float amplitude_max = 0;
     float amplitude_typical = 0;  ///< three quarters of the glyphs stay below it; what global scaling divides by
     std::uint64_t gpu_bytes = 0;
+    float value_min = 0, value_max = 0;       ///< of a scalar volume's finite values
     glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs
 };
 

@@ -27,6 +27,22 @@ void checkSelection(const VoxelSelection& selection, const std::string& where) {
     }
 }
 
+void checkColour(const GlyphColour& colour, const std::string& where) {
+    if (colour.mode == ColourMode::kScalar && colour.image_id.empty()) {
+        refuse(where + ".scalar.image_id is empty; it names a scalar volume of the catalogue");
+    }
+    if (colour.usesMap() && colour.range) {
+        const auto [low, high] = *colour.range;
+        if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
+            refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
+                   "; both must be finite and the second above the first");
+        }
+    }
+    for (int c = 0; colour.mode == ColourMode::kUniform && c < 3; ++c) {
+        if (!(colour.uniform[c] >= 0 && colour.uniform[c] <= 1)) refuse(where + ".uniform must be 0 to 1 in each channel");
+    }
+}
+
 void checkLayer(const Layer& layer, const std::string& where) {
     const GlyphLayer& glyphs = layer.glyphs;
     if (glyphs.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
@@ -37,6 +53,7 @@ void checkLayer(const Layer& layer, const std::string& where) {
     if (glyphs.lmax && (*glyphs.lmax < 0 || *glyphs.lmax > kLmaxLimit)) {
         refuse(where + ".lmax is " + std::to_string(*glyphs.lmax) + "; it must be 0 to 16");
     }
+    checkColour(glyphs.colour, where + ".colour");
     if (!(layer.opacity > 0 && layer.opacity <= 1)) {
         refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
     }

@@ -7,6 +7,8 @@
 
 #include <glm/glm.hpp>
 
+#include "math/colour_map.h"
+
 namespace radiata::model {
 
 enum class Plane { kAxial, kCoronal, kSagittal, kOblique };
@@ -31,12 +33,32 @@ struct GlyphScale {
     bool operator==(const GlyphScale&) const = default;
 };
 
+enum class ColourMode { kDirection, kRadius, kScalar, kUniform };
+
+struct ColourRange {
+    float low = 0;
+    float high = 1;
+    bool operator==(const ColourRange&) const = default;
+};
+
+/// Where the base colour of a glyph's surface comes from.
+struct GlyphColour {
+    ColourMode mode = ColourMode::kDirection;
+    ColourMap map = ColourMap::kViridis;  ///< kRadius and kScalar
+    std::optional<ColourRange> range;     ///< of the map: mm, or values of the image; none: chosen by the plan
+    std::string image_id;                 ///< kScalar: catalogue id of a scalar volume on the grid of the glyphs' image
+    glm::vec3 uniform{0.5F};              ///< kUniform: linear RGB
+    bool usesMap() const { return mode == ColourMode::kRadius || mode == ColourMode::kScalar; }
+    bool operator==(const GlyphColour&) const = default;
+};
+
 struct GlyphLayer {
     std::string dataset_id;
     VoxelSelection selection;
     GlyphScale scale;
     std::optional<int> lmax;  ///< none: all bands
     NegativeLobes negative_lobes = NegativeLobes::kHidden;
+    GlyphColour colour;
     bool operator==(const GlyphLayer&) const = default;
 };
 

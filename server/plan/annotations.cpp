@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 
 namespace radiata::plan {
 namespace {
@@ -35,6 +36,12 @@ std::string lobesText(const model::Scene& scene) {
     if (std::all_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes shown";
     if (std::none_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes hidden";
     return "negative lobes hidden in some layers";
+}
+
+std::string shortNumber(float value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.4g", static_cast<double>(value));
+    return text;
 }
 
 /// Empty if the picture leaves nothing out.
@@ -100,6 +107,19 @@ std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameSt
         marks.push_back(corner(std::move(subset), 0, 0, 2));
     }
     return marks;
+}
+
+std::vector<model::ColourBar> colourBars(const model::FrameRequest& request) {
+    std::vector<model::ColourBar> bars;
+    if (request.scene.annotations.hidden) return bars;
+    for (const model::Layer& layer : request.scene.layers) {
+        const model::GlyphColour& colour = layer.glyphs.colour;
+        if (!colour.usesMap() || !colour.range) continue;
+        const std::string title = colour.mode == model::ColourMode::kRadius ? "radius, mm" : colour.image_id;
+        const model::ColourBar bar{colour.map, title, shortNumber(colour.range->low), shortNumber(colour.range->high)};
+        if (std::find(bars.begin(), bars.end(), bar) == bars.end()) bars.push_back(bar);
+    }
+    return bars;
 }
 
 }  // namespace radiata::plan

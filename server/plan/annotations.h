@@ -27,4 +27,8 @@ std::string orientationLetters(const glm::dvec3& direction);
 std::vector<model::Mark> annotations(const model::FrameRequest& request, model::FrameState state, int samples,
                                      const SubsetFacts& facts);
 
+/// One legend for each different colour map, range and quantity of the layers, in their order; none if the annotations are
+/// hidden. \param request  with every choice filled in, as a frame echoes it
+std::vector<model::ColourBar> colourBars(const model::FrameRequest& request);
+
 }  // namespace radiata::plan

@@ -1,6 +1,7 @@
 #include "plan/plan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "base/error.h"
@@ -139,6 +140,18 @@ GlyphPlan planLayer(const model::Layer& layer, std::size_t index, const LayerFac
     return plan;
 }
 
+/// Ends of a colour map that the request leaves open.
+model::ColourRange colourRange(const model::GlyphColour& colour, const LayerFacts& facts) {
+    if (colour.range) return *colour.range;
+    if (colour.mode == model::ColourMode::kRadius) {
+        return {0, facts.radius_typical_mm > 0 ? static_cast<float>(facts.radius_typical_mm) : 1};
+    }
+    const auto low = static_cast<float>(facts.value_min), high = static_cast<float>(facts.value_max);
+    // A volume of one value, or of a span that no float holds, still needs a range.
+    if (low < high && std::isfinite(high - low)) return {low, high};
+    return {low, low + std::max(1.0F, std::abs(low))};
+}
+
 }  // namespace
 
 FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities) {
@@ -157,6 +170,9 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
         plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);
+        model::GlyphColour& colour = plan.resolved.scene.layers[i].glyphs.colour;
+        if (colour.usesMap()) colour.range = colourRange(colour, layers[i]);
+        plan.colour_modes |= 1U << static_cast<std::uint32_t>(colour.mode);
         const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
         const int layer = static_cast<int>(i);
         if (glyphs.pole_table) plan.passes.push_back({"glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});

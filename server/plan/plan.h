@@ -24,9 +24,11 @@ struct LayerFacts {
     ShLayout layout;           ///< of the dataset
     std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
-    double rays_per_glyph = 0;    ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
-    double depth_complexity = 1;  ///< estimate: glyph boxes along one ray
-    bool camera_close = false;    ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
+    double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
+    double radius_typical_mm = 0;         ///< of the typical amplitude
+    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
+    bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
 };
 
 /// How one glyph layer is drawn.
@@ -48,6 +50,8 @@ struct FramePlan {
     model::FrameRequest resolved;   ///< the request with every choice filled in
     std::vector<GlyphPlan> glyphs;  ///< one per layer
     std::vector<PassPlan> passes;
+    /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
+    std::uint32_t colour_modes = 0;
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;

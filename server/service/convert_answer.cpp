@@ -87,15 +87,20 @@ v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs) {
 v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
-    message.set_kind(v1::DATASET_KIND_SH_IMAGE);
+    message.set_kind(info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
+                                                                    : v1::DATASET_KIND_SH_IMAGE);
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) message.mutable_voxel_to_world()->add_rows(info.voxel_to_world[column][row]);
     }
-    message.set_lmax(static_cast<std::uint32_t>(info.layout.lmax));
-    message.set_full_basis(info.layout.full);
-    message.set_convention(std::string(name(info.convention)));
-    message.set_axes(std::string(name(info.axes)));
+    if (info.kind == model::DatasetKind::kShImage) {
+        message.set_lmax(static_cast<std::uint32_t>(info.layout.lmax));
+        message.set_full_basis(info.layout.full);
+        message.set_convention(std::string(name(info.convention)));
+        message.set_axes(std::string(name(info.axes)));
+    }
+    message.set_value_min(info.value_min);
+    message.set_value_max(info.value_max);
     message.set_glyph_count(info.glyph_count);
     message.set_rejected_voxels(info.rejected_voxels);
     message.set_amplitude_max(info.amplitude_max);

@@ -46,6 +46,7 @@ model::GlyphLayer fromGlyphs(const v1::GlyphLayer& glyphs, const std::string& wh
     if (glyphs.has_lmax()) layer.lmax = toInt(glyphs.lmax(), where + ".lmax");
     checkEnum(glyphs.negative_lobes(), v1::NegativeLobes_IsValid, v1::NegativeLobes_MAX, where + ".negative_lobes");
     if (glyphs.negative_lobes() == v1::NEGATIVE_LOBES_SHOWN) layer.negative_lobes = model::NegativeLobes::kShown;
+    layer.colour = fromProto(glyphs.colour(), where + ".colour");
     return layer;
 }
 
@@ -96,6 +97,7 @@ v1::GlyphLayer toProto(const model::GlyphLayer& glyphs) {
     if (glyphs.lmax) message.set_lmax(static_cast<std::uint32_t>(*glyphs.lmax));
     message.set_negative_lobes(glyphs.negative_lobes == model::NegativeLobes::kShown ? v1::NEGATIVE_LOBES_SHOWN
                                                                                      : v1::NEGATIVE_LOBES_HIDDEN);
+    *message.mutable_colour() = service::toProto(glyphs.colour);
     return message;
 }
 

@@ -21,7 +21,11 @@ grpc::ServerUnaryReactor* ViewService::Update(Context*, const Bytes* request, By
         // A scene may name a dataset that is not there: that is found out before the view is touched, and may read a file.
         worker_.post([this, call, view, change] {
             try {
-                for (const model::Layer& layer : change.scene->layers) conductor_.backend().info(layer.glyphs.dataset_id);
+                for (const model::Layer& layer : change.scene->layers) {
+                    conductor_.backend().info(layer.glyphs.dataset_id);
+                    if (layer.glyphs.colour.mode != model::ColourMode::kScalar) continue;
+                    conductor_.backend().info(layer.glyphs.colour.image_id);
+                }
                 conductor_.update(view, change);
             } catch (...) {
                 call->refuse(currentStatus());

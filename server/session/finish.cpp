@@ -16,6 +16,7 @@ StreamFrame finish(model::Frame frame, ImageFormat format, encode::Annotator& an
     frame.pixels.rgba.clear();
     const plan::SubsetFacts facts{frame.info.glyphs, frame.info.glyphs_available};
     annotator.draw(picture, plan::annotations(frame.info.request, frame.info.state, frame.info.samples, facts));
+    annotator.drawBars(picture, plan::colourBars(frame.info.request));
 
     StreamFrame finished;
     finished.width = picture.width;

@@ -7,8 +7,11 @@
 
 #include "base/error.h"
 #include "gpu/device.h"
+#include "io/scalar_image.h"
 #include "io/sh_image.h"
+#include "io/stored_image.h"
 #include "store/glyph_dataset.h"
+#include "store/scalar_dataset.h"
 
 namespace radiata::store {
 namespace {
@@ -39,6 +42,10 @@ std::string idOf(const std::string& stem) {
     return id;
 }
 
+model::DatasetKind kindOf(const io::StoredImage& header) {
+    return header.size[3] == 1 ? model::DatasetKind::kScalarVolume : model::DatasetKind::kShImage;
+}
+
 /// For messages: short, and nothing in it that would end or garble a line.
 std::string printable(const std::string& id) {
     std::string text = id.substr(0, 64);
@@ -48,13 +55,20 @@ std::string printable(const std::string& id) {
     return text;
 }
 
+void checkId(const std::string& id) {
+    if (validId(id)) return;
+    throw Error(Code::kInvalidArgument,
+                "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
+}
+
 }  // namespace
 
 struct Store::Impl {
     struct Slot {
         std::filesystem::path path;
         std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
-        std::shared_ptr<const GlyphDataset> dataset;
+        std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these two, once it is loaded
+        std::shared_ptr<const ScalarDataset> scalars;
     };
     gpu::Device& device;
     io::ShOptions options;
@@ -70,6 +84,25 @@ struct Store::Impl {
                                              std::to_string(slots.size()) + " datasets");
         }
         return found->second;
+    }
+
+    void insert(const std::string& id, std::shared_ptr<Slot> slot) {
+        std::lock_guard lock(mutex);
+        if (slots.contains(id)) throw Error(Code::kInvalidArgument, "dataset id '" + id + "' is taken");
+        slots[id] = std::move(slot);
+    }
+
+    /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
+    void load(const std::string& id, Slot& slot) const {
+        if (slot.dataset || slot.scalars) return;
+        if (kindOf(io::readStoredImage(slot.path)) == model::DatasetKind::kScalarVolume) {
+            slot.scalars = std::make_shared<const ScalarDataset>(id, io::readScalarImage(slot.path));
+            if (log) log(slot.scalars->image().source + ": a scalar volume");
+            return;
+        }
+        model::ShImage image = io::readShImage(slot.path, options);
+        if (log) log(io::describe(image));
+        slot.dataset = std::make_shared<const GlyphDataset>(device, id, std::move(image));
     }
 };
 
@@ -109,30 +142,45 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
 }
 
 void Store::add(const std::string& id, model::ShImage image) {
-    if (!validId(id)) {
-        throw Error(Code::kInvalidArgument,
-                    "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
-    }
-    auto dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
+    checkId(id);
     auto slot = std::make_shared<Impl::Slot>();
-    slot->dataset = std::move(dataset);
-    std::lock_guard lock(impl_->mutex);
-    if (impl_->slots.contains(id)) throw Error(Code::kInvalidArgument, "dataset id '" + id + "' is taken");
-    impl_->slots[id] = std::move(slot);
+    slot->dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
+    impl_->insert(id, std::move(slot));
+}
+
+void Store::add(const std::string& id, model::ScalarImage image) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->scalars = std::make_shared<const ScalarDataset>(id, std::move(image));
+    impl_->insert(id, std::move(slot));
 }
 
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
     if (!slot->dataset) {
-        model::ShImage image = io::readShImage(slot->path, impl_->options);
-        if (impl_->log) impl_->log(io::describe(image));
-        slot->dataset = std::make_shared<const GlyphDataset>(impl_->device, id, std::move(image));
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is a scalar volume; glyphs need an SH image");
     }
     return slot->dataset;
 }
 
-model::DatasetInfo Store::info(const std::string& id) { return glyphs(id)->info(); }
+std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->scalars) {
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is an SH image; colours are taken from a scalar volume");
+    }
+    return slot->scalars;
+}
+
+model::DatasetInfo Store::info(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    return slot->dataset ? slot->dataset->info() : slot->scalars->info();
+}
 
 std::vector<model::DatasetInfo> Store::list() {
     std::map<std::string, std::shared_ptr<Impl::Slot>> slots;
@@ -147,8 +195,18 @@ std::vector<model::DatasetInfo> Store::list() {
         std::unique_lock lock(slot->loading, std::try_to_lock);
         if (lock && slot->dataset) {
             info = slot->dataset->info();
+        } else if (lock && slot->scalars) {
+            info = slot->scalars->info();
         } else if (!slot->path.empty()) {
             try {
+                const io::StoredImage stored = io::readStoredImage(slot->path);
+                info.kind = kindOf(stored);
+                if (info.kind == model::DatasetKind::kScalarVolume) {
+                    info.size = glm::ivec3(stored.size[0], stored.size[1], stored.size[2]);
+                    info.voxel_to_world = stored.voxel_to_world;
+                    infos.push_back(info);
+                    continue;
+                }
                 const model::ShImage header = io::readShHeader(slot->path, impl_->options);
                 info.size = header.size;
                 info.voxel_to_world = header.voxel_to_world;

@@ -12,11 +12,13 @@
 #include "gpu/fwd.h"
 #include "io/sh_options.h"
 #include "model/dataset.h"
+#include "model/scalar_image.h"
 #include "model/sh_image.h"
 
 namespace radiata::store {
 
 class GlyphDataset;
+class ScalarDataset;
 
 struct CatalogEntry {
     std::string id;
@@ -35,14 +37,17 @@ public:
     std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file);
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
     void add(const std::string& id, model::ShImage image);
+    void add(const std::string& id, model::ScalarImage image);
 
     /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
     /// one whose header cannot be read has size 0.
     std::vector<model::DatasetInfo> list();
     /// \throws Error(kNotFound) naming the id; Error of the reader
     model::DatasetInfo info(const std::string& id);
-    /// The dataset, loaded if it was not; other datasets stay available meanwhile. \throws as info()
+    /// The dataset, loaded if it was not; other datasets stay available meanwhile.
+    /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
+    std::shared_ptr<const ScalarDataset> scalars(const std::string& id);
 
 private:
     struct Impl;

@@ -1,12 +1,11 @@
 // Deferred lighting of the surface buffer: one sample's light is added to the picture's sum. One invocation per pixel.
-// Base colour by direction (van Almsick et al. 2011): |p / |p|| as an sRGB triple, scanner axes.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/common/brdf.glsl"
-#include "shaders/common/srgb.glsl"
+#include "shaders/frame/base_colour.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
@@ -16,11 +15,6 @@ layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance 
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
 
-struct LayerLook {
-    uint64_t instances;
-    float opacity;
-    uint pad;
-};
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 
 layout(push_constant, scalar) uniform Push {
@@ -43,7 +37,7 @@ void main() {
         const GlyphInstance instance = InstanceBuffer(look.instances).at[surface.who];
         const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
         const vec3 offset = ray.origin - centre + surface.depth * ray.direction;
-        const vec3 base = linearFromSrgb(abs(offset) * inversesqrt(max(dot(offset, offset), 1e-30)));
+        const vec3 base = baseColour(look, surface.who, offset);
         const vec3 lit = shadeDielectric(base, 0.45, surface.normal, -ray.direction, frame.light_direction, frame.irradiance,
                                          frame.ambient);
         radiance = mix(radiance, lit, look.opacity);

@@ -27,6 +27,9 @@ v1::FrameRequest frame(bool perspective, int region) {
     glyphs->mutable_scale()->set_mode(v1::GlyphScale::MODE_PER_GLYPH);
     glyphs->mutable_scale()->set_factor(2);
     if (region == 0) glyphs->mutable_selection()->mutable_volume();
+    if (region == 0) glyphs->mutable_colour()->mutable_radius()->mutable_range()->set_high(3);
+    if (region == 1) glyphs->mutable_colour()->mutable_scalar()->set_image_id("fa");
+    if (region == 2) set(glyphs->mutable_colour()->mutable_uniform(), 0.1, 0.2, 0.3);
     if (region == 1) glyphs->mutable_selection()->mutable_slab()->set_thickness_mm(4);
     v1::Slice* slice = nullptr;
     if (region == 1) slice = glyphs->mutable_selection()->mutable_slab()->mutable_middle();

@@ -43,10 +43,39 @@ def voxel_selection(plane=None, position_mm=None, normal=None, slab_mm=None, vol
     return selection
 
 
+def glyph_colour(colour=None, colour_map=None, colour_range=None, colour_image=None):
+    """What colours the glyphs: "direction", "radius", "scalar" (with colour_image, a catalogue id) or three numbers, linear RGB.
+
+    colour_map and colour_range (low, high) go with "radius" (mm) and "scalar" (values).
+    """
+    message = scene_pb2.GlyphColour()
+    mapped = colour in ("radius", "scalar")
+    if not mapped and (colour_map is not None or colour_range is not None):
+        raise ValueError("colour_map and colour_range go with colour 'radius' or 'scalar' only")
+    if (colour == "scalar") != (colour_image is not None):
+        raise ValueError("colour 'scalar' and colour_image go together")
+    if mapped:
+        source = getattr(message, colour)
+        source.map = enum_value(scene_pb2.ColourMap, "COLOUR_MAP_", colour_map)
+        source.SetInParent()
+        if colour_range is not None:
+            source.range.low, source.range.high = colour_range
+        if colour_image is not None:
+            source.image_id = colour_image
+    elif colour == "direction":
+        message.direction.SetInParent()
+    elif isinstance(colour, str):
+        raise ValueError(f"'{colour}' is not one of direction, radius, scalar, or three numbers")
+    elif colour is not None:
+        set_vector(message.uniform, colour)
+    return message
+
+
 def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, position_mm=None, normal=None, slab_mm=None,
                   volume=False, scale=None, factor=None, lmax=None, lobes=None, opacity=None, convention=None,
                   annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, jpeg_quality=None,
-                  light=None, irradiance=None, ambient=None, background=None):
+                  light=None, irradiance=None, ambient=None, background=None, colour=None, colour_map=None, colour_range=None,
+                  colour_image=None):
     """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1."""
     request = frame_pb2.FrameRequest(width=size[0], height=size[1])
     layer = request.scene.layers.add()
@@ -55,6 +84,8 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
     glyphs.selection.CopyFrom(voxel_selection(plane, position_mm, normal, slab_mm, volume))
     glyphs.scale.mode = enum_value(scene_pb2.GlyphScale.Mode, "MODE_", scale)
     glyphs.negative_lobes = enum_value(scene_pb2.NegativeLobes, "NEGATIVE_LOBES_", lobes)
+    if colour is not None or colour_map is not None or colour_range is not None or colour_image is not None:
+        glyphs.colour.CopyFrom(glyph_colour(colour, colour_map, colour_range, colour_image))
     quality = request.quality
     quality.intersection = enum_value(quality_pb2.IntersectionMethod, "INTERSECTION_METHOD_", intersection)
     quality.traversal = enum_value(quality_pb2.Traversal, "TRAVERSAL_", traversal)

@@ -44,7 +44,7 @@ void checkCancelled(const std::atomic<bool>* cancel) {
 
 }  // namespace
 
-Drawer::Drawer(gpu::Device& device) : device_(device), recorder_(device), pipelines_(device) {}
+Drawer::Drawer(gpu::Device& device) : device_(device), recorder_(device), pipelines_(device), colour_tables_(device) {}
 
 void Drawer::prepareCamera(Target::Impl& target, const DrawList& list) {
     shader::FrameParams& frame = target.frame();
@@ -101,8 +101,25 @@ void Drawer::prepareCamera(Target::Impl& target, const DrawList& list) {
             params.tables = buffers.table.address();
         }
         target.layer(i) = params;
-        target.look(i) = {params.instances, request.scene.layers[i].opacity, 0};
+        target.look(i) = layerLook(list, i);
     }
+}
+
+shader::LayerLook Drawer::layerLook(const DrawList& list, std::size_t layer) {
+    GlyphScene& scene = *list.layers[layer];
+    const model::Layer& wanted = list.plan->resolved.scene.layers[layer];
+    const model::GlyphColour& colour = wanted.glyphs.colour;
+    shader::LayerLook look{};
+    look.instances = scene.instanceBuffer().address();
+    look.opacity = wanted.opacity;
+    look.colour = static_cast<std::uint32_t>(colour.mode);
+    look.uniform_colour = colour.uniform;
+    if (!colour.usesMap()) return look;
+    look.map = colour_tables_.address(colour.map);
+    look.range_low = colour.range->low;
+    look.range_high = colour.range->high;
+    if (colour.mode == model::ColourMode::kScalar) look.values = scene.values(list.scalars[layer]).address();
+    return look;
 }
 
 void Drawer::trace(Target::Impl& target, const DrawList& list, std::size_t layer, bool boxes_only,
@@ -165,7 +182,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
             if (pass.name.starts_with("glyph trace")) trace(target, list, layer, false, cancel);
             if (pass.name == "light") {
                 recorder_.dispatch(
-                    pipelines_.get(pass.shader, {kGroup, sample == 0 ? 1U : 0U}), pass.name,
+                    pipelines_.get(pass.shader, {kGroup, sample == 0 ? 1U : 0U, list.plan->colour_modes}), pass.name,
                     groups(static_cast<std::uint64_t>(target.width) * target.height), 1, 1,
                     LightPush{base, target.surface.address(), target.light.address(), base + Target::Impl::kLookOffset});
             }

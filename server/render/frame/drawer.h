@@ -2,11 +2,13 @@
 #pragma once
 
 #include <atomic>
+#include <memory>
 #include <vector>
 
 #include "gpu/recorder.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
+#include "render/frame/colour_tables.h"
 #include "render/frame/pipelines.h"
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
@@ -17,6 +19,7 @@ namespace radiata::render {
 struct DrawList {
     const plan::FramePlan* plan = nullptr;
     std::vector<GlyphScene*> layers;
+    std::vector<std::shared_ptr<const store::ScalarDataset>> scalars;  ///< of the layers coloured so; others have none
     plan::RebasedCamera camera;
     glm::dvec3 light_direction_world{0, 0, 1};
 };
@@ -44,11 +47,13 @@ public:
 
 private:
     void prepareCamera(Target::Impl& target, const DrawList& list);
+    shader::LayerLook layerLook(const DrawList& list, std::size_t layer);
     void trace(Target::Impl& target, const DrawList& list, std::size_t layer, bool boxes_only, const std::atomic<bool>* cancel);
 
     gpu::Device& device_;
     gpu::CommandRecorder recorder_;
     Pipelines pipelines_;
+    ColourTables colour_tables_;
     double rows_per_submission_ = 8;  ///< blocks of 8 pixel rows, adapted to the last measured speed
 };
 

@@ -65,7 +65,8 @@ struct Renderer::Impl {
         device_name = device.info().name + ", " + device.info().driver;
     }
 
-    GlyphScene& scene(const model::GlyphLayer& layer, const glm::dvec3& centre) {
+    GlyphScene& scene(model::GlyphLayer layer, const glm::dvec3& centre) {
+        layer.colour = {};  // colours change nothing about where glyphs are
         const auto dataset = store.glyphs(layer.dataset_id);
         for (auto it = scenes.begin(); it != scenes.end(); ++it) {
             GlyphScene& candidate = **it;
@@ -86,6 +87,8 @@ struct Renderer::Impl {
         for (const model::Layer& layer : request.scene.layers) {
             // The band limit is checked by the plan; a scene of it can only be built within the data's bands.
             list.layers.push_back(&scene(layer.glyphs, centre));
+            const model::GlyphColour& colour = layer.glyphs.colour;
+            list.scalars.push_back(colour.mode == model::ColourMode::kScalar ? store.scalars(colour.image_id) : nullptr);
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
         plan::SceneBounds bounds = unite(list.layers);
@@ -94,8 +97,12 @@ struct Renderer::Impl {
         list.camera = plan::rebaseCamera(request.camera, bounds, request.height);
         list.light_direction_world = lightDirection(request.scene.light, model::cameraFrame(request.camera));
         std::vector<plan::LayerFacts> facts;
-        for (const GlyphScene* layer : list.layers) {
-            facts.push_back(layer->facts(list.camera, request.width, request.height));
+        for (std::size_t i = 0; i < list.layers.size(); ++i) {
+            facts.push_back(list.layers[i]->facts(list.camera, request.width, request.height));
+            if (list.scalars[i]) {
+                facts[i].value_min = list.scalars[i]->info().value_min;
+                facts[i].value_max = list.scalars[i]->info().value_max;
+            }
             info.glyphs += facts.back().glyphs;
             info.glyphs_available += facts.back().glyphs_available;
         }

@@ -107,6 +107,7 @@ bool pathWorks(gpu::Device& device, Drawer& drawer, const std::shared_ptr<const 
         const plan::FramePlan plan = plan::planFrame(request, {scene.facts(list.camera, kSize, kSize)}, all);
         list.plan = &plan;
         list.layers = {&scene};
+        list.scalars = {nullptr};
         Target target;
         target.impl_->prepare(device, kSize, kSize, 1);
         drawer.drawSample(*target.impl_, list, 0, nullptr);

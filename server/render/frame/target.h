@@ -7,16 +7,9 @@
 #include "render/frame/renderer.h"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
+#include "shaders/shared/layer_look.glsl"
 
 namespace radiata::render {
-
-/// What the light pass reads of a layer; LayerLook in shaders/frame/light.comp.
-struct LayerLook {
-    std::uint64_t instances = 0;
-    float opacity = 1;
-    std::uint32_t pad = 0;
-};
-static_assert(sizeof(LayerLook) == 16);
 
 struct Counters {
     std::uint32_t hit_pixels = 0;
@@ -45,14 +38,16 @@ struct Target::Impl {
 
     static constexpr std::uint64_t kLayerOffset = 256;
     static constexpr std::uint64_t kLookOffset = kLayerOffset + 8 * sizeof(shader::GlyphLayerParams);
-    static constexpr std::uint64_t kCounterOffset = kLookOffset + 8 * sizeof(LayerLook);
+    static constexpr std::uint64_t kCounterOffset = kLookOffset + 8 * sizeof(shader::LayerLook);
     static constexpr std::uint64_t kParamBytes = kCounterOffset + sizeof(Counters);
 
     shader::FrameParams& frame() const { return *reinterpret_cast<shader::FrameParams*>(params.mapped().data()); }
     shader::GlyphLayerParams& layer(std::size_t i) const {
         return reinterpret_cast<shader::GlyphLayerParams*>(params.mapped().data() + kLayerOffset)[i];
     }
-    LayerLook& look(std::size_t i) const { return reinterpret_cast<LayerLook*>(params.mapped().data() + kLookOffset)[i]; }
+    shader::LayerLook& look(std::size_t i) const {
+        return reinterpret_cast<shader::LayerLook*>(params.mapped().data() + kLookOffset)[i];
+    }
     Counters& counters() const { return *reinterpret_cast<Counters*>(params.mapped().data() + kCounterOffset); }
 };
 

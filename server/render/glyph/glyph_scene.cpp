@@ -8,12 +8,14 @@
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "math/two_floats.h"
+#include "shaders/shared/layer_look.glsl"
 
 namespace radiata::render {
 namespace {
 
 /// Boxes of the traversal structures are in float scene coordinates; they grow by their rounding, so that none is missed.
 constexpr float kBoxPadding = 4e-7F;
+constexpr float kLargestValue = 3e38F;  // below the mark of glyphs without a value
 
 glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
     return glm::dvec3(image.voxel_to_world * glm::dvec4(glm::dvec3(image.voxels[slot]), 1.0));
@@ -131,11 +133,32 @@ const gpu::Buffer& GlyphScene::bvhOrder() {
     return bvh_order_;
 }
 
+const gpu::Buffer& GlyphScene::values(const std::shared_ptr<const store::ScalarDataset>& scalars) {
+    if (values_of_ == scalars) return values_;
+    const glm::dmat4 map = store::voxelMap(*scalars, dataset_->info());
+    std::vector<float> values(std::max<std::size_t>(instances_.size(), 1), shader::COLOUR_NO_VALUE);
+    for (std::size_t i = 0; i < instances_.size(); ++i) {
+        const glm::dvec3 voxel(map * glm::dvec4(glm::dvec3(dataset_->image().voxels[instances_[i].slot]), 1.0));
+        const float value = scalars->image().at(glm::ivec3(glm::round(voxel)));
+        values[i] = std::isfinite(value) ? std::min(value, kLargestValue) : shader::COLOUR_NO_VALUE;
+    }
+    values_of_.reset();  // so that a failure leaves nothing half done
+    values_ = gpu::Buffer();
+    values_ = gpu::Buffer(device_, std::span(values).size_bytes(), gpu::Memory::kDevice, "glyph values");
+    gpu::upload(device_, values_, 0, std::as_bytes(std::span(values)));
+    values_of_ = scalars;
+    return values_;
+}
+
 plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width, int height) const {
     plan::LayerFacts facts;
     facts.layout = dataset_->image().layout;
     facts.glyphs = instances_.size();
     facts.glyphs_available = dataset_->image().voxels.size();
+    const double typical = dataset_->info().amplitude_typical;
+    facts.radius_typical_mm = layer_.scale.mode == model::ScaleMode::kAbsolute
+                                  ? layer_.scale.factor * typical
+                                  : layer_.scale.factor * halfVoxel(dataset_->image());
     if (instances_.empty()) return facts;
     const shader::CameraRays& rays = camera.rays;
     const glm::vec3 right = rays.step_right / glm::dot(rays.step_right, rays.step_right);

@@ -14,6 +14,7 @@
 #include "plan/plan.h"
 #include "shaders/shared/glyph.glsl"
 #include "store/glyph_dataset.h"
+#include "store/scalar_dataset.h"
 
 namespace radiata::render {
 
@@ -36,6 +37,10 @@ public:
     const gpu::Buffer& bvhNodes();
     const gpu::Buffer& bvhOrder();
 
+    /// float[instances]: values of a volume at the glyphs' voxels, COLOUR_NO_VALUE where one is not finite. That of the volume
+    /// asked for last is kept. \throws as store::voxelMap()
+    const gpu::Buffer& values(const std::shared_ptr<const store::ScalarDataset>& scalars);
+
     plan::LayerFacts facts(const plan::RebasedCamera& camera, int width, int height) const;
 
 private:
@@ -51,6 +56,8 @@ private:
     float largest_radius_ = 0;
     gpu::Buffer instance_buffer_, bvh_nodes_, bvh_order_;
     gpu::BoxAcceleration acceleration_;
+    std::shared_ptr<const store::ScalarDataset> values_of_;
+    gpu::Buffer values_;
 };
 
 /// World bounds of what a layer's selection can cover, before any glyph is scaled: its voxels, grown by one voxel.

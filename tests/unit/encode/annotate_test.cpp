@@ -110,5 +110,33 @@ TEST(Annotator, NamesAFontThatIsNotThere) {
     }
 }
 
+TEST(Annotator, LegendsStandInTheUpperRightAndHaveTheMapsColours) {
+    Annotator annotator;
+    const model::ColourBar bar{ColourMap::kViridis, "radius, mm", "0", "1.5"};
+    Picture picture = flat(640, 480, 128);
+    annotator.drawBars(picture, {&bar, 1});
+    const Changed one = changed(picture, 128);
+    EXPECT_GT(one.left, 480);
+    EXPECT_LT(one.bottom, 200);
+    EXPECT_GT(one.bottom - one.top, 160);
+    // Along the strip from its top: yellow to purple, through the whole map.
+    const auto at = [&](int x, int y) { return picture.rgba.data() + 4 * (y * 640 + x); };
+    int top = one.top;
+    while (at(630, top)[0] == 128 || at(630, top)[0] != 253) ++top;
+    EXPECT_EQ(at(630, top)[1], 231);
+    int bottom = one.bottom;
+    while (at(630, bottom)[0] != 68) --bottom;
+    EXPECT_EQ(at(630, bottom)[2], 84);
+    EXPECT_NEAR(bottom - top, 157, 3);
+    EXPECT_NEAR(at(630, (top + bottom) / 2)[1], 145, 4);
+
+    const std::vector<model::ColourBar> many(9, bar);
+    annotator.drawBars(picture, many);
+    EXPECT_GE(changed(picture, 128).left, 320) << "what does not fit into the right half is left out";
+    Picture small = flat(159, 480, 128);
+    annotator.drawBars(small, {&bar, 1});
+    EXPECT_EQ(changed(small, 128).count, 0);
+}
+
 }  // namespace
 }  // namespace radiata::encode

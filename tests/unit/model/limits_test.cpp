@@ -94,6 +94,28 @@ TEST(Limits, RefusesUnusableLayers) {
     }
 }
 
+TEST(Limits, RefusesUnusableColours) {
+    const Code kInvalid = Code::kInvalidArgument;
+    const auto change = [](ColourMode mode, const std::function<void(GlyphColour&)>& more) {
+        return [=](FrameRequest& r) {
+            glyphs(r).colour.mode = mode;
+            more(glyphs(r).colour);
+        };
+    };
+    expectRefused({"colour.scalar.image_id is empty", kInvalid, change(ColourMode::kScalar, [](GlyphColour&) {})});
+    for (const ColourRange range : {ColourRange{1, 1}, {2, 1}, {kNan, 1}, {0, kNan}, {-kInfinity, 0}, {-3e38F, 3e38F}}) {
+        expectRefused({"colour", kInvalid, change(ColourMode::kRadius, [=](GlyphColour& c) { c.range = range; })});
+    }
+    for (const float channel : {-0.1F, 1.1F, kNan}) {
+        expectRefused(
+            {"colour.uniform", kInvalid, change(ColourMode::kUniform, [=](GlyphColour& c) { c.uniform.y = channel; })});
+    }
+    FrameRequest request = sound();
+    glyphs(request).colour.uniform = {2, 2, 2};  // not used
+    glyphs(request).colour.range = ColourRange{1, 0};
+    validate(request, Limits{});
+}
+
 TEST(Limits, RefusesSelectionsWithoutAPlane) {
     const auto selection = [](const std::function<void(VoxelSelection&)>& change) {
         return [=](FrameRequest& r) {

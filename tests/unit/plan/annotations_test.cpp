@@ -75,6 +75,26 @@ TEST(Annotations, NamesSubsetAndLobes) {
     EXPECT_EQ(at(marks, 0, 0, 2), "slice: 7216 of 90000 glyphs shown");
 }
 
+TEST(Annotations, EveryColourMapHasItsLegend) {
+    model::FrameRequest frame = request({0, 0, -100}, {0, 1, 0});
+    EXPECT_THAT(colourBars(frame), IsEmpty());
+    frame.scene.layers.resize(4, frame.scene.layers[0]);
+    model::GlyphColour& radius = frame.scene.layers[1].glyphs.colour;
+    radius.mode = model::ColourMode::kRadius;
+    radius.range = model::ColourRange{0, 1.25F};
+    frame.scene.layers[2] = frame.scene.layers[1];  // the same legend again
+    model::GlyphColour& scalar = frame.scene.layers[3].glyphs.colour;
+    scalar.mode = model::ColourMode::kScalar;
+    scalar.map = ColourMap::kGrey;
+    scalar.image_id = "fa";
+    scalar.range = model::ColourRange{-1234.56F, 1e-5F};
+    const std::vector<model::ColourBar> expected = {{ColourMap::kViridis, "radius, mm", "0", "1.25"},
+                                                    {ColourMap::kGrey, "fa", "-1235", "1e-05"}};
+    EXPECT_EQ(colourBars(frame), expected);
+    frame.scene.annotations.hidden = true;
+    EXPECT_THAT(colourBars(frame), IsEmpty());
+}
+
 TEST(Annotations, HiddenLeavesAllOut) {
     auto frame = request({0, 0, -100}, {0, 1, 0});
     frame.scene.annotations.hidden = true;

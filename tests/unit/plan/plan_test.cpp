@@ -242,5 +242,29 @@ TEST(PlanFrame, ResolvedRequestPlansToItself) {
     }
 }
 
+TEST(PlanColour, OpenRangesAreFilledInAndModesCompiledAreThoseInUse) {
+    model::FrameRequest frame = request(3);
+    std::vector<LayerFacts> layers(3, facts());
+    EXPECT_EQ(planFrame(frame, layers, kAll).colour_modes, 1U);
+    model::GlyphColour& radius = frame.scene.layers[1].glyphs.colour;
+    radius.mode = model::ColourMode::kRadius;
+    layers[1].radius_typical_mm = 1.5;
+    model::GlyphColour& scalar = frame.scene.layers[2].glyphs.colour;
+    scalar.mode = model::ColourMode::kScalar;
+    scalar.image_id = "fa";
+    layers[2].value_min = -2;
+    layers[2].value_max = 8;
+    const FramePlan plan = planFrame(frame, layers, kAll);
+    EXPECT_EQ(plan.colour_modes, 0b111U);
+    EXPECT_FALSE(plan.resolved.scene.layers[0].glyphs.colour.range);
+    EXPECT_EQ(plan.resolved.scene.layers[1].glyphs.colour.range, (model::ColourRange{0, 1.5F}));
+    EXPECT_EQ(plan.resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{-2, 8}));
+    EXPECT_EQ(planFrame(plan.resolved, layers, kAll).resolved, plan.resolved);
+    layers[2].value_max = -2;  // one value only
+    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{-2, 0}));
+    scalar.range = model::ColourRange{0, 1};
+    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{0, 1}));
+}
+
 }  // namespace
 }  // namespace radiata::plan

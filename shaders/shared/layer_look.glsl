@@ -1,0 +1,36 @@
+// What the light pass reads of a layer.
+#ifndef RADIATA_SHARED_LAYER_LOOK
+#define RADIATA_SHARED_LAYER_LOOK
+#include "shaders/shared/interop.glsl"
+SHADER_NAMESPACE_BEGIN
+
+// Values of LayerLook.colour; bit 1 << value of the light pass's kColourModes says that some layer has it.
+#ifdef __cplusplus
+constexpr uint COLOUR_DIRECTION = 0;
+constexpr uint COLOUR_RADIUS = 1;
+constexpr uint COLOUR_SCALAR = 2;
+constexpr uint COLOUR_UNIFORM = 3;
+constexpr float COLOUR_NO_VALUE = 3.4e38F;
+#else
+#define COLOUR_DIRECTION 0u
+#define COLOUR_RADIUS 1u
+#define COLOUR_SCALAR 2u
+#define COLOUR_UNIFORM 3u
+#define COLOUR_NO_VALUE 3.4e38
+#endif
+
+struct LayerLook {
+    uint64_t instances;  // GlyphInstance[]
+    float opacity;
+    uint colour;         // COLOUR_DIRECTION, ...
+    uint64_t map;        // vec3[256], linear RGB, or 0
+    uint64_t values;     // float[] by instance, COLOUR_NO_VALUE where there is none, or 0
+    vec3 uniform_colour;  // linear RGB
+    float range_low;     // of the map: mm, or values
+    float range_high;
+    uint pad;
+};
+STATIC_SIZE(LayerLook, 56);
+
+SHADER_NAMESPACE_END
+#endif
