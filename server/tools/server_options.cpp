@@ -54,7 +54,8 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_option("--listen", options.server.listen, "HOST:PORT to serve on; port 0 takes a free one")->capture_default_str();
     app.add_flag("--allow-remote", options.server.allow_remote,
                  "Let --listen name an address that other machines reach; there is no encryption or login here");
-    app.add_option("--data", options.data, "Folder of SH images, or one image; may be repeated");
+    app.add_option("--data", options.data,
+                   "Folder of images, or one image; may be repeated. Images with one volume colour glyphs, the others are SH");
     app.add_option("--device", options.device.device, "Vulkan device: its number in --list-devices, or a part of its name");
     app.add_flag("--list-devices", options.list_devices, "Print the Vulkan devices and end");
     app.add_option("--without", options.device.without, "Device feature to leave unused, e.g. ray_query; may be repeated");

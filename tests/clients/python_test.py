@@ -49,6 +49,19 @@ class PackageTest(ClientTest):
                      "--samples", "3", "-o", self.folder / "a.png")
         self.assertEqual(frame.png, (self.folder / "a.png").read_bytes())
 
+    def test_colours(self):
+        def echoed(**options):
+            frame = self.client.render(DATASET, size=(96, 64), samples=1, **options)
+            return frame.message.request.scene.layers[0].glyphs.colour
+        self.assertEqual(echoed().WhichOneof("source"), "direction")
+        self.assertEqual(echoed(colour="radius", colour_map="inferno", colour_range=(1, 2)).radius.range.high, 2)
+        self.assertEqual(echoed(colour="scalar", colour_image="fa").scalar.image_id, "fa")
+        self.assertEqual(echoed(colour=(0, 0.5, 1)).uniform.y, 0.5)
+        for options in ({"colour": "scalar"}, {"colour_range": (0, 1)}, {"colour": "rainbow"},
+                        {"colour": "radius", "colour_map": "jet"}):
+            with self.assertRaises(ValueError):
+                self.client.render(DATASET, **options)
+
     def test_stream_comes_to_rest_and_follows_the_camera(self):
         with self.client.stream(DATASET, size=(96, 64), samples=4) as view:
             first = next(frame for frame in view if frame.converged)

@@ -43,6 +43,28 @@ class RenderTest(ClientTest):
             self.assertEqual(array.dtype, np.dtype(kind), name)
             self.assertTrue(array.flags.c_contiguous, name)
 
+    def test_colours_are_echoed(self):
+        cases = {
+            ("--colour", "direction"): {"direction": {}},
+            ("--colour", "radius", "--colour-map", "black-red-yellow", "--colour-range", "0.5,2"):
+                {"radius": {"map": "black-red-yellow", "range": {"low": 0.5, "high": 2.0}}},
+            ("--colour", "scalar", "--colour-image", "fa"): {"scalar": {"image_id": "fa", "map": "viridis"}},
+            ("--colour", "uniform", "--uniform-colour", "1,0.5,0.25"): {"uniform": [1, 0.5, 0.25]},
+        }
+        for arguments, colour in cases.items():
+            self.render("--info", self.folder / "a.json", *arguments)
+            info = json.loads((self.folder / "a.json").read_text())
+            self.assertEqual(info["request"]["scene"]["layers"][0]["glyphs"]["colour"], colour)
+
+    def test_contradicting_colours_are_refused(self):
+        for arguments, word in ((("--colour", "scalar"), "--colour-image"), (("--colour-image", "fa"), "--colour scalar"),
+                                (("--colour-range", "0,1"), "--colour-range"), (("--uniform-colour", "1,1,1"), "--uniform"),
+                                (("--colour", "direction", "--colour-map", "grey"), "--colour-map"),
+                                (("--colour", "rainbow"), "rainbow"), (("--colour", "radius", "--colour-map", "jet"), "jet")):
+            self.assert_fails(self.render("-o", self.folder / "a.png", *arguments, check=False), 2, word)
+        backwards = self.render("-o", self.folder / "a.png", "--colour", "radius", "--colour-range", "2,1", check=False)
+        self.assert_fails(backwards, 4, "range of the colour map")
+
     def test_info_echoes_what_was_asked(self):
         self.render("--dataset", DATASET, "--plane", "oblique", "--position", "1,-2,3.5", "--normal", "0,1,1", "--slab", "4",
                     "--scale", "per-glyph", "--factor", "0.5", "--lmax", "4", "--lobes", "shown", "--samples", "3",

@@ -71,7 +71,8 @@ TEST_F(Colours, ByDirectionRadiusAndOneColourAreTheirTwins) {
     EXPECT_LE(worstChannel(draw(request), by_direction), kBound);
     colour().mode = model::ColourMode::kUniform;
     colour().uniform = {0.1F, 0.6F, 0.3F};
-    EXPECT_LE(worstChannel(draw(request), [](auto&...) { return glm::dvec3(0.1, 0.6, 0.3); }), kBound);
+    EXPECT_LE(worstChannel(draw(request), [](const glm::ivec3&, const glm::dvec3&) { return glm::dvec3(0.1, 0.6, 0.3); }),
+              kBound);
     colour() = {};
     colour().mode = model::ColourMode::kRadius;
     for (const bool own : {true, false}) {

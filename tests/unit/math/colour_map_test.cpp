@@ -36,15 +36,15 @@ TEST(ColourMap, HasThePublishedEnds) {
     }
 }
 
-/// Rounding to 8 bits moves L* by up to 0.3; the maps' own steps are 0.23 to 0.4.
+/// The maps are even in CAM02-UCS, beside which L* runs flatter near black; 8 bits leave 0.04 of a step over eight of them.
 TEST(ColourMap, UniformMapsRiseSteadilyInLightness) {
     for (const ColourMap map : {ColourMap::kViridis, ColourMap::kInferno, ColourMap::kCividis}) {
         const ColourTable& table = linearColourTable(map);
         const double mean = (lightness(table.back()) - lightness(table.front())) / 255;
         for (std::size_t i = 0; i + 8 < table.size(); ++i) {
             const double step = (lightness(table[i + 8]) - lightness(table[i])) / 8;
-            EXPECT_GT(step, 0.5 * mean) << name(map) << " " << i;
-            EXPECT_LT(step, 1.5 * mean) << name(map) << " " << i;
+            EXPECT_GT(step, mean / 3) << name(map) << " " << i;
+            EXPECT_LT(step, mean * 5 / 3) << name(map) << " " << i;
         }
     }
 }
