@@ -175,13 +175,16 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         plan.colour_modes |= 1U << static_cast<std::uint32_t>(colour.mode);
         const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
         const int layer = static_cast<int>(i);
-        if (glyphs.pole_table) plan.passes.push_back({"glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
-        plan.passes.push_back({"glyph trace" + suffix, "glyph_" + solver + kind + glyphs.layout_name, layer});
+        if (glyphs.pole_table) {
+            plan.passes.push_back({PassKind::kGlyphTable, "glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
+        }
+        plan.passes.push_back(
+            {PassKind::kGlyphTrace, "glyph trace" + suffix, "glyph_" + solver + kind + glyphs.layout_name, layer});
         plan.glyphs.push_back(std::move(glyphs));
     }
     plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;
-    plan.passes.push_back({"light", "light", -1});
-    plan.passes.push_back({"resolve", "resolve", -1});
+    plan.passes.push_back({PassKind::kLight, "light", "light", -1});
+    plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     return plan;
 }
 

@@ -39,8 +39,11 @@ struct GlyphPlan {
     bool both_lobes = false;
 };
 
+enum class PassKind { kGlyphTable, kGlyphTrace, kLight, kResolve };
+
 /// One pass, in order of execution.
 struct PassPlan {
+    PassKind kind;
     std::string name;    ///< "glyph table 0", "glyph trace 0", "light", "resolve"
     std::string shader;  ///< module
     int layer = -1;      ///< of glyph passes

@@ -21,4 +21,8 @@ PixelRay pixelRay(CameraRays rays, vec2 size, vec2 point) {
     return ray;
 }
 
+// Axis of the pole frame (pole_frame.glsl): from a glyph's centre (relative to the reference point, mm) to the camera. Far cameras keep their precision, as only
+// ratios to the distance enter.
+vec3 poleAxis(CameraRays rays, vec3 centre) { return normalize(-rays.forward - centre * rays.inverse_distance); }
+
 #endif

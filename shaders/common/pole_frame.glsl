@@ -3,10 +3,6 @@
 #ifndef RADIATA_COMMON_POLE_FRAME
 #define RADIATA_COMMON_POLE_FRAME
 
-// Axis from a glyph's centre (relative to the reference point, mm) to the camera. Far cameras keep their precision, as only
-// ratios to the distance enter.
-vec3 poleAxis(CameraRays rays, vec3 centre) { return normalize(-rays.forward - centre * rays.inverse_distance); }
-
 struct PoleCircle {
     vec2 azimuth;  // (cos, sin) of the ray plane's azimuth in the pole frame
     vec2 offset;   // (cos, sin) of the angle phi at which the pole stands on the ray's circle
@@ -22,6 +18,13 @@ PoleCircle poleCircle(vec3 q, vec3 d, vec3 e) {
     const vec3 u = circle.offset.y * d + circle.offset.x * e;
     circle.azimuth = normalize(vec2(dot(u, n1), dot(u, n2)));
     return circle;
+}
+
+// The unit vector in which the plane of d and e (orthonormal) meets z = 0; any of that plane if it is z = 0 itself.
+vec3 horizontalOf(vec3 d, vec3 e) {
+    const vec2 q = d.z * e.xy - e.z * d.xy;
+    const float size = length(q);
+    return size > 1e-12 ? vec3(q / size, 0.0) : vec3(1.0, 0.0, 0.0);
 }
 
 // Fourier coefficients in phi from those in the angle from the pole: F[h] times exp(-i stride h offset), in the (a, b) of a cos + b sin.

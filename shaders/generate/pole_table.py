@@ -7,11 +7,8 @@ for odd m, where h has the parity of the band. The table holds all C and S:
   poleTableFourier(table, ca, sa, F)      F[h] = (a, b) of the great circle of azimuth alpha, (ca, sa) = (cos alpha, sin alpha)
 The frame's axes are n1 = Rz Ry x, n2 = Rz Ry y, q = Rz Ry z (poleFrame). Source: research of van Almsick et al. 2011 (k = 4), generalised.
 """
-import numpy as np
-
-from sh_math import arguments, basis, band_transform, index, number
-
-kQuarter = np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]], dtype=float)  # rotation by 90 degrees about x: y to z
+from sh_math import arguments, index, number
+from sh_turns import kQuarterAboutX, legendre_fourier, quarter_turn, turn_about_z
 
 
 def entries(k, full):
@@ -27,48 +24,6 @@ def entries(k, full):
     return order
 
 
-def legendre_fourier(k, full):
-    """coefficients[(l, m)][h]: theta-Fourier series of Y(l,-m) at azimuth 0 (cosines for even m, sines for odd m)."""
-    n = 4 * k + 8
-    theta = 2.0 * np.pi * np.arange(n) / n
-    directions = np.stack([np.sin(theta), np.zeros(n), np.cos(theta)], axis=1)
-    values = basis(directions, k, full)
-    result = {}
-    for l in range(0, k + 1, 1 if full else 2):
-        for m in range(l + 1):
-            column = values[:, index(l, -m, full)]
-            wave = np.sin if m % 2 else np.cos
-            result[(l, m)] = [2.0 / n * float(column @ wave(h * theta)) * (0.5 if h == 0 else 1.0) for h in range(k + 1)]
-    return result
-
-
-def turn_about_z(out, k, full, source, target, cos_name, sin_name):
-    """target = coefficients of f o Rz(angle): cos(m (a + angle)) and so on."""
-    out.append(f"    float {cos_name}1 = {cos_name}, {sin_name}1 = {sin_name};")
-    for m in range(2, k + 1):
-        out.append(f"    const float {cos_name}{m} = {cos_name}{m - 1} * {cos_name} - {sin_name}{m - 1} * {sin_name}, "
-                   f"{sin_name}{m} = {sin_name}{m - 1} * {cos_name} + {cos_name}{m - 1} * {sin_name};")
-    for l in range(0, k + 1, 1 if full else 2):
-        out.append(f"    {target}[{index(l, 0, full)}] = {source}[{index(l, 0, full)}];")
-        for m in range(1, l + 1):
-            minus, plus = index(l, -m, full), index(l, m, full)
-            # f = c- N cos(ma) + s c+ N sin(ma), s = (-1)^m
-            s = "-" if m % 2 else "+"
-            t = "+" if m % 2 else "-"
-            out.append(f"    {target}[{minus}] = {source}[{minus}] * {cos_name}{m} {s} {source}[{plus}] * {sin_name}{m};")
-            out.append(f"    {target}[{plus}] = {source}[{plus}] * {cos_name}{m} {t} {source}[{minus}] * {sin_name}{m};")
-
-
-def quarter_turn(out, k, full, source, target, transpose):
-    for l in range(0, k + 1, 1 if full else 2):
-        matrix = band_transform(l, kQuarter)
-        matrix = matrix.T if transpose else matrix
-        for row in range(2 * l + 1):
-            terms = [f"{number(matrix[row, col])} * {source}[{index(l, col - l, full)}]"
-                     for col in range(2 * l + 1) if matrix[row, col] != 0.0]
-            out.append(f"    {target}[{index(l, row - l, full)}] = {' + '.join(terms) if terms else '0.0'};")
-
-
 def build(k, full, order):
     out = ["void poleTableBuild(const float c[SH_COUNT], vec3 q, out float table[POLE_TABLE_COUNT]) {",
            "    const float sin_theta = length(q.xy);",
@@ -76,9 +31,9 @@ def build(k, full, order):
            "    const float ct = q.z, st = sin_theta;",
            "    float r[SH_COUNT], s[SH_COUNT];"]
     turn_about_z(out, k, full, "c", "r", "cz", "sz")
-    quarter_turn(out, k, full, "r", "s", True)
+    quarter_turn(out, k, full, kQuarterAboutX.T, "r", "s")
     turn_about_z(out, k, full, "s", "r", "ct", "st")
-    quarter_turn(out, k, full, "r", "s", False)
+    quarter_turn(out, k, full, kQuarterAboutX, "r", "s")
     fourier = legendre_fourier(k, full)
     for i, (m, kind, h) in enumerate(order):
         sign = -1.0 if kind == 1 and m % 2 else 1.0

@@ -21,11 +21,7 @@ void instanceCircle(FrameParams frame, GlyphLayerParams layer, uint index, Glyph
         poleCircleShift(F, circle.offset);
     } else {
         loadCoefficients(layer.coefficients, layer.stride, instance.slot);
-        vec2 samples[CIRCLE_SAMPLES];
-        for (int l = 0; l < CIRCLE_SAMPLES; ++l) {
-            samples[l] = shEvaluate(glyph_coefficients, kCircleSin[l] * plane.e - kCircleCos[l] * ray.direction);
-        }
-        circleFourier(samples, F);
+        circleFourier(glyph_coefficients, ray.direction, plane.e, F);
     }
 }
 

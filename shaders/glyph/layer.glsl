@@ -39,7 +39,8 @@ void loadCoefficients(uint64_t coefficients, uint stride, uint slot) {
     if (slot == loaded_slot) return;
     loaded_slot = slot;
     FloatBuffer source = FloatBuffer(coefficients + uint64_t(slot) * uint64_t(stride) * 4ul);
-    for (uint i = 0u; i < SH_COUNT; ++i) glyph_coefficients[i] = i < kUsed ? source.at[i] : 0.0;
+#define SOURCE(i) source.at[i]
+    SH_LOAD(SOURCE, kUsed, glyph_coefficients)
 }
 
 // Centre relative to the frame's reference point, mm: the difference of two sums of two floats.

@@ -3,9 +3,10 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/test/function.glsl"
 #include "shaders/test/ray_io.glsl"
+#include "sh_basis.glsl"
 #include "circle.glsl"
 
-const int kMost = (CIRCLE_STRIDE == 1.0 ? 4 : 2) * CIRCLE_SAMPLES;  // CIRCLE_HITS_MAX
+const int kMost = (CIRCLE_STRIDE == 1.0 ? 4 : 2) * (SH_K + 1);  // CIRCLE_HITS_MAX
 
 struct Crossings {
     float count, begins_inside, steps, capped;

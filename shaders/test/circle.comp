@@ -3,6 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/test/function.glsl"
 #include "shaders/test/ray_io.glsl"
+#include "sh_basis.glsl"
 #include "circle.glsl"
 
 struct Circle {

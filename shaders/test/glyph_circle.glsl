@@ -1,6 +1,5 @@
 // The circle of a ray's plane, from samples or from a pole-frame table. Shared values: the glyph's coefficients, its largest
-// radius, and for kFromTable the pole (3 values) and the table. The includer includes circle.glsl first.
-#include "sh_basis.glsl"
+// radius, and for kFromTable the pole (3 values) and the table. The includer includes sh_basis.glsl and circle.glsl first.
 #include "pole_table.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/common/ray_plane.glsl"
@@ -21,8 +20,6 @@ void rayCircle(vec3 d, vec3 e, out vec2 F[CIRCLE_HARMONICS + 1]) {
     } else {
         float c[SH_COUNT];
         for (int i = 0; i < SH_COUNT; ++i) c[i] = push.shared_values.value[i];
-        vec2 samples[CIRCLE_SAMPLES];
-        for (int l = 0; l < CIRCLE_SAMPLES; ++l) samples[l] = shEvaluate(c, kCircleSin[l] * e - kCircleCos[l] * d);
-        circleFourier(samples, F);
+        circleFourier(c, d, e, F);
     }
 }

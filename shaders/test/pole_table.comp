@@ -6,7 +6,7 @@
 #include "sh_basis.glsl"
 #include "circle.glsl"
 #include "pole_table.glsl"
-#include "shaders/common/pole_frame.glsl"
+#include "shaders/common/camera_rays.glsl"
 
 struct PoleTable {
     vec3 pole;

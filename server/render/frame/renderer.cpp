@@ -150,7 +150,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
-    impl_->drawer.resolve(buffers);
+    impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
     const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;

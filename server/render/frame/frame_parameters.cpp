@@ -1,0 +1,91 @@
+#include "render/frame/frame_parameters.h"
+
+#include <algorithm>
+
+#include "base/error.h"
+#include "build/tile_lists.h"
+#include "gpu/device.h"
+
+namespace radiata::render {
+namespace {
+
+constexpr std::size_t kTileEntriesMax = 24'000'000;
+
+shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::size_t layer) {
+    GlyphScene& scene = *list.layers[layer];
+    const model::Layer& wanted = list.plan->resolved.scene.layers[layer];
+    const model::GlyphColour& colour = wanted.glyphs.colour;
+    shader::LayerLook look{};
+    look.instances = scene.instanceBuffer().address();
+    look.opacity = wanted.opacity;
+    look.colour = static_cast<std::uint32_t>(colour.mode);
+    look.uniform_colour = colour.uniform;
+    if (!colour.usesMap()) return look;
+    look.map = colours.address(colour.map);
+    look.range_low = colour.range->low;
+    look.range_high = colour.range->high;
+    if (colour.mode == model::ColourMode::kScalar) look.values = scene.values(list.scalars[layer]).address();
+    return look;
+}
+
+}  // namespace
+
+void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Impl& target, const DrawList& list) {
+    shader::FrameParams& frame = target.frame();
+    const model::FrameRequest& request = list.plan->resolved;
+    frame.rays = list.camera.rays;
+    frame.width = static_cast<std::uint32_t>(target.width);
+    frame.height = static_cast<std::uint32_t>(target.height);
+    frame.light_direction = glm::vec3(list.light_direction_world);
+    frame.irradiance = request.scene.light.irradiance;
+    frame.ambient = request.scene.light.ambient;
+    frame.background = request.scene.background;
+    frame.layer_count = static_cast<std::uint32_t>(list.layers.size());
+    const bool tiles = request.quality.traversal == model::Traversal::kTiles;
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        GlyphScene& scene = *list.layers[i];
+        const plan::GlyphPlan& glyphs = list.plan->glyphs[i];
+        shader::GlyphLayerParams params{};
+        params.instances = scene.instanceBuffer().address();
+        params.coefficients = scene.dataset().coefficients().address();
+        params.count = static_cast<std::uint32_t>(scene.instances().size());
+        params.stride = static_cast<std::uint32_t>(scene.dataset().image().layout.count());
+        params.used = glyphs.used;
+        params.both_lobes = glyphs.both_lobes ? 1 : 0;
+        params.layer = static_cast<std::uint32_t>(i);
+        LayerBuffers& buffers = target.layers[i];
+        if (tiles) {
+            const TileLists lists = buildTileLists(scene.instances(), frame.rays, target.width, target.height, kTileShiftX,
+                                                   kTileShiftY, kTileEntriesMax);
+            if (!lists.complete) {
+                throw Error(Code::kResourceExhausted, "quality.traversal tiles: this view needs more than " +
+                                                          std::to_string(kTileEntriesMax) + " list entries; use auto or bvh");
+            }
+            ensureBytes(device, buffers.tile_ranges, std::span(lists.ranges).size_bytes(), gpu::Memory::kUpload, "tile ranges");
+            ensureBytes(device, buffers.tile_entries, std::max<std::size_t>(std::span(lists.entries).size_bytes(), 4),
+                        gpu::Memory::kUpload, "tile entries");
+            std::copy(lists.ranges.begin(), lists.ranges.end(), buffers.tile_ranges.as<glm::uvec2>().begin());
+            std::copy(lists.entries.begin(), lists.entries.end(), buffers.tile_entries.as<std::uint32_t>().begin());
+            params.tile_ranges = buffers.tile_ranges.address();
+            params.tile_lists = buffers.tile_entries.address();
+            frame.tiles_x = static_cast<std::uint32_t>(lists.tiles_x);
+            frame.tiles_y = static_cast<std::uint32_t>(lists.tiles_y);
+        } else if (request.quality.traversal == model::Traversal::kRayQuery && !scene.instances().empty()) {
+            params.acceleration = scene.acceleration().address();
+        } else {
+            params.bvh_nodes = scene.bvhNodes().address();
+            params.bvh_order = scene.bvhOrder().address();
+        }
+        if (glyphs.pole_table && params.count > 0) {
+            const int k = std::stoi(glyphs.layout_name.substr(4));
+            const bool full = glyphs.layout_name.starts_with("full");
+            ensureBytes(device, buffers.table, std::uint64_t{params.count} * poleTableCount(k, full) * 4, gpu::Memory::kDevice,
+                        "pole-frame tables");
+            params.tables = buffers.table.address();
+        }
+        target.layer(i) = params;
+        target.look(i) = layerLook(colours, list, i);
+    }
+}
+
+}  // namespace radiata::render

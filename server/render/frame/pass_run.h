@@ -1,0 +1,80 @@
+// What the passes of a frame have in common while they run: where they record, what they draw into, how far the frame is.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gpu/recorder.h"
+#include "plan/camera_rays.h"
+#include "plan/plan.h"
+#include "render/frame/pipelines.h"
+#include "render/frame/target.h"
+#include "render/glyph/glyph_scene.h"
+
+namespace radiata::render {
+
+/// What is drawn: one glyph scene per layer of the plan, all with the same centre.
+struct DrawList {
+    const plan::FramePlan* plan = nullptr;
+    std::vector<GlyphScene*> layers;
+    std::vector<std::shared_ptr<const store::ScalarDataset>> scalars;  ///< of the layers coloured so; others have none
+    plan::RebasedCamera camera;
+    glm::dvec3 light_direction_world{0, 0, 1};
+};
+
+/// Rows of work per submission, adapted to the last measured speed so that each takes about kSubmissionMs.
+struct BandSize {
+    static constexpr double kSubmissionMs = 20;
+    double block_rows = 8;  ///< blocks of 8 pixel rows
+};
+
+struct PassRun {
+    static constexpr std::uint32_t kGroup = 64;  ///< invocations per workgroup; in pictures a block of 8x8 pixels
+
+    gpu::Device& device;
+    gpu::CommandRecorder& recorder;
+    Pipelines& pipelines;
+    Target::Impl& target;
+    const DrawList& list;
+    int sample = 0;
+    const std::atomic<bool>* cancel = nullptr;  ///< may be null
+
+    /// Device addresses of what drawer.cpp filled in.
+    std::uint64_t frameAddress() const { return target.params.address(); }
+    std::uint64_t layerAddress(std::size_t layer) const;
+    std::uint64_t counterAddress() const { return target.params.address() + Target::Impl::kCounterOffset; }
+
+    /// \throws Error(kCancelled) if nobody wants the picture any more
+    void checkCancelled() const;
+
+    /// Dispatches one workgroup per block of 8x8 pixels in bands of rows, each submitted and waited for; looks at `cancel`
+    /// before each. `push` ends with `std::uint32_t first_block_row`, which is set here.
+    template <typename Push>
+    void dispatchBands(const gpu::ComputePipeline& pipeline, const std::string& pass, Push push, BandSize& size) {
+        const std::uint32_t blocks_x = static_cast<std::uint32_t>(target.width + 7) / 8;
+        const std::uint32_t blocks_y = static_cast<std::uint32_t>(target.height + 7) / 8;
+        for (std::uint32_t row = 0; row < blocks_y;) {
+            checkCancelled();
+            const std::uint32_t rows = bandRows(size, blocks_y - row);
+            push.first_block_row = row;
+            recorder.dispatch(pipeline, pass, blocks_x, rows, 1, push);
+            submitBand(size, rows);
+            row += rows;
+        }
+    }
+
+    /// Workgroups for one invocation each.
+    static std::uint32_t groups(std::uint64_t count) { return static_cast<std::uint32_t>((count + kGroup - 1) / kGroup); }
+    std::uint64_t pixels() const {
+        return static_cast<std::uint64_t>(target.width) * static_cast<std::uint64_t>(target.height);
+    }
+
+private:
+    static std::uint32_t bandRows(const BandSize& size, std::uint32_t left);
+    void submitBand(BandSize& size, std::uint32_t rows) const;
+};
+
+}  // namespace radiata::render
