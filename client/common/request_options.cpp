@@ -113,6 +113,7 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     quality.set_intersection(options.intersection);
     quality.set_traversal(options.traversal);
     quality.set_pole_table(options.pole_table);
+    quality.set_sun_table(options.sun_table);
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
 }
 
@@ -168,10 +169,11 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addWords(app, "--intersection", options.intersection, v1::IntersectionMethod_descriptor(), "Root finder (default march)");
     addWords(app, "--traversal", options.traversal, v1::Traversal_descriptor(), "Way to the boxes (default auto)", "auto");
     addWords(app, "--pole-table", options.pole_table, v1::PoleTable_descriptor(), "Pole-frame table (default auto)", "auto");
+    addWords(app, "--sun-table", options.sun_table, v1::PoleTable_descriptor(), "The same for hard shadows (default auto)",
+             "auto");
     app.add_option("--jpeg-quality", options.jpeg_quality, "Quality of JPEG pictures, 1 to 100 (default 90)");
-    addVector(app, "--light", options.light_direction, "Direction towards the light: right, up, towards the viewer");
-    app.add_option("--irradiance", options.irradiance, "Irradiance of the light, linear (pi lights white to 1)");
-    app.add_option("--ambient", options.ambient, "Radiance of the constant ambient light, linear");
+    addLightOptions(app, options.light);
+    app.add_flag("--casts-no-shadows", options.no_casting, "The glyphs stand in nobody's light");
     addVector(app, "--background", options.background, "Background, linear RGB 0 to 1")->type_name("R,G,B");
     if (with_camera) {
         app.add_option("--camera", options.camera, "Camera: a JSON file or JSON text (default: one that fits the selection)")
@@ -185,6 +187,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::Scene& scene = *request.mutable_scene();
     v1::Layer& layer = *scene.add_layers();
     if (options.opacity) layer.set_opacity(*options.opacity);
+    if (options.no_casting) layer.set_casts_shadows(false);
     v1::GlyphLayer& glyphs = *layer.mutable_glyphs();
     glyphs.set_dataset_id(options.dataset);
     setSelection(*glyphs.mutable_selection(), options);
@@ -193,10 +196,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     if (options.lmax) glyphs.set_lmax(*options.lmax);
     glyphs.set_negative_lobes(options.lobes);
     setColour(glyphs, options);
-    if (!options.light_direction.empty())
-        setVector(*scene.mutable_light()->mutable_direction_camera(), options.light_direction);
-    if (options.irradiance) scene.mutable_light()->set_irradiance(*options.irradiance);
-    if (options.ambient) scene.mutable_light()->set_ambient(*options.ambient);
+    setLight(*scene.mutable_light(), options.light);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);

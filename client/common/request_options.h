@@ -12,6 +12,7 @@
 #include "radiata/v1/frame.pb.h"
 
 #include "common/connection.h"
+#include "common/light_options.h"
 
 namespace radiata::client {
 
@@ -41,10 +42,10 @@ struct RequestOptions {
     v1::IntersectionMethod intersection = v1::INTERSECTION_METHOD_MARCH;
     v1::Traversal traversal = v1::TRAVERSAL_UNSPECIFIED;
     v1::PoleTable pole_table = v1::POLE_TABLE_UNSPECIFIED;
+    v1::PoleTable sun_table = v1::POLE_TABLE_UNSPECIFIED;
     std::optional<std::uint32_t> jpeg_quality;
-    std::vector<double> light_direction;
-    std::optional<float> irradiance;
-    std::optional<float> ambient;
+    LightOptions light;
+    bool no_casting = false;
     std::vector<double> background;
     std::string camera;  ///< file or JSON; empty: the server's FitCamera
 };

@@ -20,7 +20,8 @@ struct Quality {
     Intersection intersection = Intersection::kMarch;
     Traversal traversal = Traversal::kAuto;
     PoleTable pole_table = PoleTable::kAuto;
-    bool polynomial_bracket_stop = true;  ///< the polynomial solver stops on the bracket's width; false: as its paper does
+    PoleTable sun_table = PoleTable::kAuto;  ///< for rays towards the light of hard shadows
+    bool polynomial_bracket_stop = true;     ///< the polynomial solver stops on the bracket's width; false: as its paper does
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };
@@ -62,6 +63,8 @@ struct FrameInfo {
     bool pole_table_used = false;
     std::string pole_table_reason;
     std::string traversal_reason;
+    bool sun_table_used = false;
+    std::string sun_table_reason;  ///< empty: no rays towards the light
     std::uint64_t glyphs = 0;
     std::uint64_t glyphs_available = 0;
     std::uint64_t hit_pixels = 0;

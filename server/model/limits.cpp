@@ -59,6 +59,40 @@ void checkLayer(const Layer& layer, const std::string& where) {
     }
 }
 
+void checkRays(int rays, int rays_max, const std::string& field) {
+    if (rays < 1 || rays > rays_max) {
+        refuse(field + " is " + std::to_string(rays) + "; it must be 1 to " + std::to_string(rays_max));
+    }
+}
+
+void checkLight(const Light& light, const Limits& limits) {
+    if (light.direction_world) {
+        if (!finite(*light.direction_world) || !(glm::length(*light.direction_world) > 0)) {
+            refuse("scene.light.direction_world must be finite and not zero");
+        }
+    } else if (!finite(light.direction_camera) || !(glm::length(light.direction_camera) > 0)) {
+        refuse("scene.light.direction_camera must be finite and not zero");
+    }
+    if (!(light.irradiance >= 0 && light.irradiance <= 100)) {
+        refuse("scene.light.irradiance is " + std::to_string(light.irradiance) + "; it must be 0 to 100");
+    }
+    if (!(light.ambient >= 0 && light.ambient <= 10)) {
+        refuse("scene.light.ambient is " + std::to_string(light.ambient) + "; it must be 0 to 10");
+    }
+    if (!(light.angular_radius_deg > 0 && light.angular_radius_deg <= limits.angular_radius_max_deg)) {
+        refuse("scene.light.angular_radius_deg is " + std::to_string(light.angular_radius_deg) +
+               "; it must be above 0 and at most " + std::to_string(limits.angular_radius_max_deg));
+    }
+    checkRays(light.shadow_rays, limits.shadow_rays_max, "scene.light.shadow_rays");
+    if (!light.ambient_occlusion) return;
+    const AmbientOcclusion& occlusion = *light.ambient_occlusion;
+    checkRays(occlusion.rays, limits.occlusion_rays_max, "scene.light.ambient_occlusion.rays");
+    if (occlusion.radius_mm && !(*occlusion.radius_mm > 0 && std::isfinite(*occlusion.radius_mm))) {
+        refuse("scene.light.ambient_occlusion.radius_mm is " + std::to_string(*occlusion.radius_mm) +
+               "; it must be finite and above 0");
+    }
+}
+
 void checkScene(const Scene& scene, const Limits& limits) {
     if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
     if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
@@ -68,16 +102,7 @@ void checkScene(const Scene& scene, const Limits& limits) {
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
         checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "].glyphs");
     }
-    const Light& light = scene.light;
-    if (!finite(light.direction_camera) || !(glm::length(light.direction_camera) > 0)) {
-        refuse("scene.light.direction_camera must be finite and not zero");
-    }
-    if (!(light.irradiance >= 0 && light.irradiance <= 100)) {
-        refuse("scene.light.irradiance is " + std::to_string(light.irradiance) + "; it must be 0 to 100");
-    }
-    if (!(light.ambient >= 0 && light.ambient <= 10)) {
-        refuse("scene.light.ambient is " + std::to_string(light.ambient) + "; it must be 0 to 10");
-    }
+    checkLight(scene.light, limits);
     for (int c = 0; c < 3; ++c) {
         if (!(scene.background[c] >= 0 && scene.background[c] <= 1)) refuse("scene.background must be 0 to 1 in each channel");
     }

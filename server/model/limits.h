@@ -12,6 +12,9 @@ struct Limits {
     int height_max = 8192;
     std::uint64_t pixels_max = 16'777'216;
     int samples_max = 64;
+    int shadow_rays_max = 32;
+    int occlusion_rays_max = 32;
+    float angular_radius_max_deg = 60;
     int layers_max = 8;
     int views_max = 64;
     int window_max = 8;

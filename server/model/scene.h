@@ -15,6 +15,7 @@ enum class Plane { kAxial, kCoronal, kSagittal, kOblique };
 enum class Region { kSlice, kSlab, kVolume };
 enum class ScaleMode { kGlobal, kPerGlyph, kAbsolute };
 enum class NegativeLobes { kHidden, kShown };
+enum class Shadow { kNone, kHard, kSoft };
 enum class Convention { kRadiological, kNeurological };
 
 /// Which voxels of a dataset get a glyph.
@@ -65,14 +66,26 @@ struct GlyphLayer {
 struct Layer {
     GlyphLayer glyphs;
     float opacity = 1;
+    bool casts_shadows = true;
     bool operator==(const Layer&) const = default;
+};
+
+struct AmbientOcclusion {
+    int rays = 16;
+    std::optional<float> radius_mm;  ///< none: twice the shortest voxel edge of the first layer
+    bool operator==(const AmbientOcclusion&) const = default;
 };
 
 /// The default is the light named "headlight-left": above and left of the viewer.
 struct Light {
     glm::dvec3 direction_camera{-0.4, 0.6, 1.0};
+    std::optional<glm::dvec3> direction_world;  ///< takes the place of direction_camera
     float irradiance = 2.6F;
     float ambient = 0.35F;
+    Shadow shadow = Shadow::kNone;
+    float angular_radius_deg = 5;  ///< of the spherical light of soft shadows
+    int shadow_rays = 16;          ///< of soft shadows, per sample
+    std::optional<AmbientOcclusion> ambient_occlusion;
     bool operator==(const Light&) const = default;
 };
 

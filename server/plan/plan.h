@@ -29,6 +29,7 @@ struct LayerFacts {
     double radius_typical_mm = 0;         ///< of the typical amplitude
     double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
     bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double voxel_edge_mm = 0;             ///< the shortest
 };
 
 /// How one glyph layer is drawn.
@@ -39,12 +40,20 @@ struct GlyphPlan {
     bool both_lobes = false;
 };
 
-enum class PassKind { kGlyphTable, kGlyphTrace, kLight, kResolve };
+/// Which secondary rays a frame has. None of them: no pass, buffer or shader variant for them.
+struct VisibilityPlan {
+    model::Shadow shadow = model::Shadow::kNone;
+    bool occlusion = false;
+    bool sun_table = false;  ///< rays towards the light of hard shadows use a table per glyph
+    std::string sun_table_reason;
+};
+
+enum class PassKind { kGlyphTable, kGlyphTrace, kSunTable, kShadow, kOcclusion, kLight, kResolve };
 
 /// One pass, in order of execution.
 struct PassPlan {
     PassKind kind;
-    std::string name;    ///< "glyph table 0", "glyph trace 0", "light", "resolve"
+    std::string name;    ///< "glyph table 0", "glyph trace 0", "sun table 0", "shadow 0", "occlusion 0", "light", "resolve"
     std::string shader;  ///< module
     int layer = -1;      ///< of glyph passes
 };
@@ -52,6 +61,7 @@ struct PassPlan {
 struct FramePlan {
     model::FrameRequest resolved;   ///< the request with every choice filled in
     std::vector<GlyphPlan> glyphs;  ///< one per layer
+    VisibilityPlan visibility;
     std::vector<PassPlan> passes;
     /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
     std::uint32_t colour_modes = 0;
@@ -69,6 +79,9 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
 /// Box pixels per glyph from which the table pays: about a third of them hit, and a read of its longer rows costs more than a
 /// sum. Measured on lavapipe at band 8: direct is faster at 4.4, the table at 12.6 (radiata-lab run glyph-frame).
 constexpr double kPoleTableRays = 6.0;
+/// Box pixels per glyph from which the table for rays towards the light pays: a part of the pixels in a glyph's box shows a
+/// surface that faces the light.
+constexpr double kSunTableRays = 12.0;
 /// Boxes along a ray up to which lists per tile are shorter than a walk through a hierarchy.
 constexpr double kTileDepth = 6.0;
 

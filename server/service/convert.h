@@ -22,6 +22,7 @@ model::Camera fromProto(const v1::Camera& camera, const std::string& where);
 model::VoxelSelection fromProto(const v1::VoxelSelection& selection, const std::string& where);
 model::GlyphColour fromProto(const v1::GlyphColour& colour, const std::string& where);
 model::Convention fromProto(v1::Annotations::Convention convention, const std::string& where);
+model::Light fromProto(const v1::Light& light, const std::string& where);
 model::Scene fromProto(const v1::Scene& scene, const std::string& where);
 model::Quality fromProto(const v1::Quality& quality, const std::string& where);
 model::FrameRequest fromProto(const v1::FrameRequest& request, const std::string& where);
@@ -34,6 +35,7 @@ session::ImageFormat formatFromProto(v1::ImageFormat format, const std::string& 
 v1::Vec3 toProto(const glm::dvec3& vector);
 v1::Camera toProto(const model::Camera& camera);
 v1::GlyphColour toProto(const model::GlyphColour& colour);
+v1::Light toProto(const model::Light& light);
 v1::Scene toProto(const model::Scene& scene);
 v1::Quality toProto(const model::Quality& quality);
 v1::FrameRequest toProto(const model::FrameRequest& request);

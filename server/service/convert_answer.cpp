@@ -48,6 +48,8 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
     methods->set_pole_table(info.pole_table_used);
     methods->set_pole_table_reason(info.pole_table_reason);
     methods->set_traversal_reason(info.traversal_reason);
+    methods->set_sun_table(info.sun_table_used);
+    methods->set_sun_table_reason(info.sun_table_reason);
     message.set_depth_offset_mm(info.depth_offset_mm);
     for (int axis = 0; axis < 3; ++axis) message.add_position_origin_mm(info.position_origin_mm[axis]);
     v1::Counters* counters = message.mutable_counters();
@@ -124,6 +126,9 @@ v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backen
     message.set_device(backend.device);
     for (const std::string& traversal : backend.traversals) message.add_traversals(traversal);
     message.set_version(RADIATA_VERSION);
+    message.set_shadow_rays_max(static_cast<std::uint32_t>(limits.shadow_rays_max));
+    message.set_occlusion_rays_max(static_cast<std::uint32_t>(limits.occlusion_rays_max));
+    message.set_angular_radius_max_deg(limits.angular_radius_max_deg);
     return message;
 }
 

@@ -53,6 +53,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     checkEnum(quality.intersection(), v1::IntersectionMethod_IsValid, v1::IntersectionMethod_MAX, where + ".intersection");
     checkEnum(quality.traversal(), v1::Traversal_IsValid, v1::Traversal_MAX, where + ".traversal");
     checkEnum(quality.pole_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".pole_table");
+    checkEnum(quality.sun_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".sun_table");
     model::Quality result;
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
@@ -72,6 +73,8 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     }
     if (quality.pole_table() == v1::POLE_TABLE_ON) result.pole_table = model::PoleTable::kOn;
     if (quality.pole_table() == v1::POLE_TABLE_OFF) result.pole_table = model::PoleTable::kOff;
+    if (quality.sun_table() == v1::POLE_TABLE_ON) result.sun_table = model::PoleTable::kOn;
+    if (quality.sun_table() == v1::POLE_TABLE_OFF) result.sun_table = model::PoleTable::kOff;
     return result;
 }
 
@@ -96,6 +99,8 @@ v1::Quality toProto(const model::Quality& quality) {
     }
     if (quality.pole_table == model::PoleTable::kOn) message.set_pole_table(v1::POLE_TABLE_ON);
     if (quality.pole_table == model::PoleTable::kOff) message.set_pole_table(v1::POLE_TABLE_OFF);
+    if (quality.sun_table == model::PoleTable::kOn) message.set_sun_table(v1::POLE_TABLE_ON);
+    if (quality.sun_table == model::PoleTable::kOff) message.set_sun_table(v1::POLE_TABLE_OFF);
     return message;
 }
 

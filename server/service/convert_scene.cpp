@@ -140,13 +140,9 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
         model::Layer& added = result.layers.emplace_back();
         added.glyphs = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
         if (layer.has_opacity()) added.opacity = layer.opacity();
+        if (layer.has_casts_shadows()) added.casts_shadows = layer.casts_shadows();
     }
-    if (scene.has_light()) {
-        const v1::Light& light = scene.light();
-        if (light.has_direction_camera()) result.light.direction_camera = vectorOf(light.direction_camera());
-        if (light.has_irradiance()) result.light.irradiance = light.irradiance();
-        if (light.has_ambient()) result.light.ambient = light.ambient();
-    }
+    if (scene.has_light()) result.light = fromProto(scene.light(), where + ".light");
     if (scene.has_background()) result.background = glm::vec3(vectorOf(scene.background()));
     result.annotations.convention = fromProto(scene.annotations().convention(), where + ".annotations.convention");
     result.annotations.hidden = scene.annotations().hidden();
@@ -159,10 +155,9 @@ v1::Scene toProto(const model::Scene& scene) {
         v1::Layer* added = message.add_layers();
         *added->mutable_glyphs() = toProto(layer.glyphs);
         added->set_opacity(layer.opacity);
+        added->set_casts_shadows(layer.casts_shadows);
     }
-    *message.mutable_light()->mutable_direction_camera() = toProto(scene.light.direction_camera);
-    message.mutable_light()->set_irradiance(scene.light.irradiance);
-    message.mutable_light()->set_ambient(scene.light.ambient);
+    *message.mutable_light() = toProto(scene.light);
     *message.mutable_background() = toProto(glm::dvec3(scene.background));
     message.mutable_annotations()->set_convention(scene.annotations.convention == model::Convention::kNeurological
                                                       ? v1::Annotations::CONVENTION_NEUROLOGICAL

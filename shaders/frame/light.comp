@@ -4,8 +4,8 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/common/camera_rays.glsl"
-#include "shaders/common/brdf.glsl"
 #include "shaders/frame/base_colour.glsl"
+#include "shaders/frame/light_visibility.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
@@ -22,6 +22,8 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     LightBuffer light;
     LookBuffer looks;
+    BitBuffer shadow_bits;     // blocked rays of each pixel; not read where the scene has no such rays
+    BitBuffer occlusion_bits;
 } push;
 
 void main() {
@@ -38,8 +40,7 @@ void main() {
         const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
         const vec3 offset = ray.origin - centre + surface.depth * ray.direction;
         const vec3 base = baseColour(look, surface.who, offset);
-        const vec3 lit = shadeDielectric(base, 0.45, surface.normal, -ray.direction, frame.light_direction, frame.irradiance,
-                                         frame.ambient);
+        const vec3 lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         radiance = mix(radiance, lit, look.opacity);
     }
     // Samples are averaged as they are shown, so bright highlights do not leave jagged edges.

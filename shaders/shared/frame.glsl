@@ -37,8 +37,11 @@ struct FrameParams {
     uint layer_count;
     uint tiles_x;
     uint tiles_y;
+    float light_sine;  // of the angular radius of the light of soft shadows
+    float light_cosine;
+    float occlusion_radius;  // mm
 };
-STATIC_SIZE(FrameParams, 160);
+STATIC_SIZE(FrameParams, 172);
 
 // One per pixel: what the layers share. 24 bytes.
 struct Surface {

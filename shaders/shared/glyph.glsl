@@ -26,14 +26,13 @@ struct GlyphLayerParams {
     uint64_t acceleration;  // address of the ray-query structure, or 0
     uint64_t tile_lists;    // uint[tile_entries], or 0
     uint64_t tile_ranges;   // uvec2[tiles]: first entry, count
+    uint64_t sun_tables;    // like tables, for rays towards the light, or 0
     uint count;
     uint stride;      // coefficients per slot
     uint used;        // coefficients that are drawn (band limit)
     uint both_lobes;  // negative lobes shown
     uint layer;
     uint pad0;
-    uint pad1;
-    uint pad2;
 };
 STATIC_SIZE(GlyphLayerParams, 96);
 

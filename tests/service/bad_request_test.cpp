@@ -68,6 +68,22 @@ std::vector<Case> cases() {
         {"opacity", [](F& f) { f.mutable_scene()->mutable_layers(0)->set_opacity(0); }, kInvalid, "opacity"},
         {"zero light", [](F& f) { f.mutable_scene()->mutable_light()->mutable_direction_camera(); }, kInvalid,
          "direction_camera"},
+        {"no light radius", [](F& f) { f.mutable_scene()->mutable_light()->set_angular_radius_deg(0); }, kInvalid,
+         "angular_radius_deg is 0"},
+        {"NaN light radius", [](F& f) { f.mutable_scene()->mutable_light()->set_angular_radius_deg(std::nanf("")); }, kInvalid,
+         "angular_radius_deg is nan"},
+        {"many shadow rays", [](F& f) { f.mutable_scene()->mutable_light()->set_shadow_rays(10000); }, kInvalid,
+         "shadow_rays is 10000; it must be 1 to 32"},
+        {"unknown shadow", [](F& f) { f.mutable_scene()->mutable_light()->set_shadow(static_cast<v1::Shadow>(7)); }, kInvalid,
+         "light.shadow is 7"},
+        {"no occlusion rays", [](F& f) { f.mutable_scene()->mutable_light()->mutable_ambient_occlusion()->set_rays(0); },
+         kInvalid, "ambient_occlusion.rays is 0"},
+        {"two lights",
+         [](F& f) {
+             f.mutable_scene()->mutable_light()->mutable_direction_camera()->set_z(1);
+             f.mutable_scene()->mutable_light()->mutable_direction_world()->set_z(1);
+         },
+         kInvalid, "both direction_camera and direction_world"},
         {"background", [](F& f) { f.mutable_scene()->mutable_background()->set_x(2); }, kInvalid, "background"},
         {"unknown dataset", [](F& f) { glyphs(f)->set_dataset_id("nobody"); }, grpc::StatusCode::NOT_FOUND, "nobody"},
         {"path for a dataset", [](F& f) { glyphs(f)->set_dataset_id("../etc/passwd"); }, grpc::StatusCode::NOT_FOUND,

@@ -75,7 +75,8 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
                   volume=False, scale=None, factor=None, lmax=None, lobes=None, opacity=None, convention=None,
                   annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, jpeg_quality=None,
                   light=None, irradiance=None, ambient=None, background=None, colour=None, colour_map=None, colour_range=None,
-                  colour_image=None):
+                  colour_image=None, light_world=None, shadow=None, light_radius_deg=None, shadow_rays=None,
+                  occlusion_rays=None, occlusion_radius_mm=None, casts_shadows=None, sun_table=None):
     """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1."""
     request = frame_pb2.FrameRequest(width=size[0], height=size[1])
     layer = request.scene.layers.add()
@@ -90,7 +91,15 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
     quality.intersection = enum_value(quality_pb2.IntersectionMethod, "INTERSECTION_METHOD_", intersection)
     quality.traversal = enum_value(quality_pb2.Traversal, "TRAVERSAL_", traversal)
     quality.pole_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", pole_table)
-    for message, name, value in ((layer, "opacity", opacity), (glyphs, "lmax", lmax), (quality, "samples", samples),
+    quality.sun_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", sun_table)
+    request.scene.light.shadow = enum_value(scene_pb2.Shadow, "SHADOW_", shadow)
+    occlusion = {"rays": occlusion_rays, "radius_mm": occlusion_radius_mm}
+    for name, value in occlusion.items():
+        if value is not None:
+            setattr(request.scene.light.ambient_occlusion, name, value)
+    for message, name, value in ((layer, "casts_shadows", casts_shadows),
+                                 (request.scene.light, "angular_radius_deg", light_radius_deg),
+                                 (request.scene.light, "shadow_rays", shadow_rays), (layer, "opacity", opacity), (glyphs, "lmax", lmax), (quality, "samples", samples),
                                  (quality, "jpeg_quality", jpeg_quality)):
         if value is not None:
             setattr(message, name, value)
@@ -101,6 +110,8 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
             setattr(request.scene.light, name, value)
     if light is not None:
         set_vector(request.scene.light.direction_camera, light)
+    if light_world is not None:
+        set_vector(request.scene.light.direction_world, light_world)
     if background is not None:
         set_vector(request.scene.background, background)
     request.scene.annotations.convention = enum_value(scene_pb2.Annotations.Convention, "CONVENTION_", convention)

@@ -6,6 +6,7 @@
 #include "render/frame/frame_parameters.h"
 #include "render/frame/glyph_passes.h"
 #include "render/frame/light_passes.h"
+#include "render/frame/visibility_passes.h"
 
 namespace radiata::render {
 namespace {
@@ -27,6 +28,11 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runGlyphTable(pass_run, pass);
         case plan::PassKind::kGlyphTrace:
             return runGlyphTrace(pass_run, pass, false, trace_bands_);
+        case plan::PassKind::kSunTable:
+            return runSunTable(pass_run, pass);
+        case plan::PassKind::kShadow:
+        case plan::PassKind::kOcclusion:
+            return runVisibility(pass_run, pass, visibility_bands_);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -39,6 +45,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         if (sample == 0) {
             target.samples = 0;
             fillFrameParameters(device_, colour_tables_, target, list);
+            fillVisibilityParameters(device_, target, list);
             target.counters() = Counters{};
         }
         target.frame().jitter = jitterOf(sample);

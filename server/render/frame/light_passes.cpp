@@ -1,10 +1,12 @@
 #include "render/frame/light_passes.h"
 
+#include "render/frame/visibility_passes.h"
+
 namespace radiata::render {
 namespace {
 
 struct LightPush {
-    std::uint64_t frame, surface, light, looks;
+    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits;
 };
 struct ResolvePush {
     std::uint64_t light, picture;
@@ -15,11 +17,14 @@ struct ResolvePush {
 
 void runLight(PassRun& run, const plan::PassPlan& pass) {
     const Target::Impl& target = run.target;
-    run.recorder.dispatch(
-        run.pipelines.get(pass.shader, {PassRun::kGroup, run.sample == 0 ? 1U : 0U, run.list.plan->colour_modes}), pass.name,
-        PassRun::groups(run.pixels()), 1, 1,
-        LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
-                  run.frameAddress() + Target::Impl::kLookOffset});
+    const plan::VisibilityPlan& visibility = run.list.plan->visibility;
+    std::vector<std::uint32_t> constants{PassRun::kGroup, run.sample == 0 ? 1U : 0U, run.list.plan->colour_modes};
+    addVisibilityConstants(*run.list.plan, constants);
+    const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
+    const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
+    run.recorder.dispatch(run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
+                          LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
+                                    run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {

@@ -20,8 +20,10 @@ namespace {
 
 constexpr std::size_t kScenesKept = 16;
 
-/// Towards the light in world space. The light hangs on the camera, so pictures of any view are lit alike.
+/// Towards the light in world space. Unless it stands in the world it hangs on the camera, so pictures of any view are lit
+/// alike.
 glm::dvec3 lightDirection(const model::Light& light, const model::CameraFrame& axes) {
+    if (light.direction_world) return glm::normalize(*light.direction_world);
     const glm::dvec3 d = glm::normalize(light.direction_camera);
     return glm::normalize(d.x * axes.right + d.y * axes.up - d.z * axes.forward);
 }
@@ -112,6 +114,8 @@ struct Renderer::Impl {
         info.pole_table_used = plan.uses_pole_table;
         info.pole_table_reason = plan.pole_table_reason;
         info.traversal_reason = plan.traversal_reason;
+        info.sun_table_used = plan.visibility.sun_table;
+        info.sun_table_reason = plan.visibility.sun_table_reason;
         info.depth_offset_mm = list.camera.depth_offset_mm;
         info.position_origin_mm = list.camera.reference_mm;
         info.device = device_name;
@@ -192,6 +196,8 @@ std::vector<std::string> Renderer::traversals() const {
     if (impl_->abilities.tiles) names.emplace_back("tiles");
     return names;
 }
+
+std::size_t Renderer::pipelineCount() const { return impl_->drawer.pipelines().count(); }
 
 const std::string& Renderer::deviceName() const { return impl_->device_name; }
 

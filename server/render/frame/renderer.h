@@ -62,6 +62,8 @@ public:
     /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles".
     std::vector<std::string> traversals() const;
     const std::string& deviceName() const;
+    /// Pipelines made so far, those of the start-up self-test among them.
+    std::size_t pipelineCount() const;
 
 private:
     struct Impl;

@@ -18,7 +18,7 @@ struct Counters {
 
 /// Tile lists and pole-frame table of one layer, for the camera of the latest first sample.
 struct LayerBuffers {
-    gpu::Buffer tile_ranges, tile_entries, table;
+    gpu::Buffer tile_ranges, tile_entries, table, sun_table;
 };
 
 struct Target::Impl {
@@ -30,7 +30,9 @@ struct Target::Impl {
     gpu::Buffer light;             ///< vec3[pixels], sum over samples
     gpu::Buffer picture;           ///< rgba8[pixels], read back
     gpu::Buffer surface_readback;  ///< only once an output was wanted
-    gpu::Buffer params;            ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
+    gpu::Buffer shadow_bits;  ///< uint[pixels], rays towards the light that glyphs block; only once a scene asked for shadows
+    gpu::Buffer occlusion_bits;  ///< the same for rays of ambient occlusion
+    gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)

@@ -159,6 +159,7 @@ plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width,
     facts.radius_typical_mm = layer_.scale.mode == model::ScaleMode::kAbsolute
                                   ? layer_.scale.factor * typical
                                   : layer_.scale.factor * halfVoxel(dataset_->image());
+    facts.voxel_edge_mm = 2 * halfVoxel(dataset_->image());
     if (instances_.empty()) return facts;
     const shader::CameraRays& rays = camera.rays;
     const glm::vec3 right = rays.step_right / glm::dot(rays.step_right, rays.step_right);

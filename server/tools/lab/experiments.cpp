@@ -9,6 +9,7 @@ const std::vector<Experiment>& experiments() {
         {"march-vs-polynomial",
          "one glyph filling the picture: ns per pixel and wrong pixels of the march and of Peters' solver",
          marchVersusPolynomial},
+        {"peters-fig4", "what hard shadows, soft shadows and ambient occlusion add to the glyph passes", petersFig4},
         {"glyph-pareto", "one glyph by every method and setting: time against error, with the Pareto front", glyphPareto},
         {"peters-bounds", "Peters et al. 2023, Sec. 4.2: boxes by search and margin, and certified ones; time per glyph",
          petersBounds},

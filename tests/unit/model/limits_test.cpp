@@ -148,6 +148,33 @@ TEST(Limits, RefusesUnusableLightAndBackground) {
     }
 }
 
+TEST(Limits, RefusesUnusableShadowsAndAmbientOcclusion) {
+    const Code kInvalid = Code::kInvalidArgument;
+    for (const float value : {0.0F, -1.0F, kNan, kInfinity, 60.1F}) {
+        expectRefused({"angular_radius_deg", kInvalid, [=](FrameRequest& r) { r.scene.light.angular_radius_deg = value; }});
+    }
+    for (const float value : {0.0F, -1.0F, kNan, kInfinity}) {
+        expectRefused({"radius_mm", kInvalid, [=](FrameRequest& r) { r.scene.light.ambient_occlusion = {16, value}; }});
+    }
+    for (const int value : {0, -1, 33, 10000}) {
+        expectRefused({"shadow_rays", kInvalid, [=](FrameRequest& r) { r.scene.light.shadow_rays = value; }});
+        expectRefused({"ambient_occlusion.rays", kInvalid, [=](FrameRequest& r) {
+                           r.scene.light.ambient_occlusion = {value, std::nullopt};
+                       }});
+    }
+    for (const glm::dvec3& direction : {glm::dvec3(0), glm::dvec3(kNan, 0, 1), glm::dvec3(kInfinity, 0, 0)}) {
+        expectRefused({"direction_world", kInvalid, [=](FrameRequest& r) { r.scene.light.direction_world = direction; }});
+    }
+    FrameRequest request = sound();
+    request.scene.light.shadow = Shadow::kSoft;
+    request.scene.light.angular_radius_deg = 60;
+    request.scene.light.shadow_rays = 32;
+    request.scene.light.ambient_occlusion = {32, 1e6F};
+    request.scene.light.direction_world = glm::dvec3(0, 0, -1);
+    request.scene.light.direction_camera = glm::dvec3(0);  // not used then
+    validate(request, Limits{});
+}
+
 TEST(Limits, ChecksTheCamera) {
     expectRefused({"camera: up", Code::kInvalidArgument, [](FrameRequest& r) { r.camera.up = glm::dvec3(0); }});
 }

@@ -1,0 +1,33 @@
+// The options that describe the light of a picture: direction, shadows, ambient occlusion.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "radiata/v1/scene.pb.h"
+
+namespace radiata::client {
+
+/// Vectors hold three numbers, or none where the option was not given; absent choices are left to the server.
+struct LightOptions {
+    std::vector<double> direction_camera;
+    std::vector<double> direction_world;
+    std::optional<float> irradiance;
+    std::optional<float> ambient;
+    std::string shadow;  ///< none, hard or soft; empty: not given
+    std::optional<float> angular_radius_deg;
+    std::optional<std::uint32_t> shadow_rays;
+    std::optional<std::uint32_t> occlusion_rays;  ///< ambient occlusion is on if given
+    std::optional<float> occlusion_radius_mm;
+};
+
+void addLightOptions(CLI::App& app, LightOptions& options);
+
+/// \throws ClientError(kUsage) if options contradict each other
+void setLight(v1::Light& light, const LightOptions& options);
+
+}  // namespace radiata::client
