@@ -9,12 +9,13 @@ const std::vector<Experiment>& experiments() {
         {"march-vs-polynomial",
          "one glyph filling the picture: ns per pixel and wrong pixels of the march and of Peters' solver",
          marchVersusPolynomial},
-        {"peters-fig4", "what hard shadows, soft shadows and ambient occlusion add to the glyph passes", petersFig4},
         {"glyph-pareto", "one glyph by every method and setting: time against error, with the Pareto front", glyphPareto},
         {"peters-bounds", "Peters et al. 2023, Sec. 4.2: boxes by search and margin, and certified ones; time per glyph",
          petersBounds},
         {"peters-fig3", "Peters et al. 2023, Fig. 3: roots in the ray parameter and in the turned frame, single precision",
          petersFig3},
+        {"peters-fig4", "Peters et al. 2023, Fig. 4: what hard and soft shadows and ambient occlusion add to the glyph passes",
+         petersFig4},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
     };
     return kAll;
