@@ -80,19 +80,28 @@ model::Traversal chooseTraversal(const model::FrameRequest& request, const std::
     throw Error(Code::kUnavailable, "no traversal passed the start-up self-test on this device");
 }
 
-/// Rays per glyph over all layers that can have the table. One number for the frame: what the table is echoed as, on or off,
-/// must plan to the same passes again.
-double raysPerGlyph(const std::vector<LayerFacts>& layers) {
+/// What the choice of the table depends on, over all layers that can have it. One choice for the frame: what the table is
+/// echoed as, on or off, must plan to the same passes again.
+struct TableUse {
+    double rays_per_glyph = 0;
+    int band = 0;
+};
+
+TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<LayerFacts>& layers) {
     double rays = 0, glyphs = 0;
-    for (const LayerFacts& layer : layers) {
+    TableUse use;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        const LayerFacts& layer = layers[i];
         if (layer.camera_close || layer.glyphs == 0) continue;
+        use.band = std::max(use.band, wanted[i].glyphs.lmax.value_or(layer.layout.lmax));
         rays += layer.rays_per_glyph * static_cast<double>(layer.glyphs);
         glyphs += static_cast<double>(layer.glyphs);
     }
-    return glyphs > 0 ? rays / glyphs : 0;
+    if (glyphs > 0) use.rays_per_glyph = rays / glyphs;
+    return use;
 }
 
-bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, double rays_per_glyph,
+bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, const TableUse& use,
                      std::string& reason) {
     if (method == model::Intersection::kPolynomial) {
         reason = "off: the polynomial solver has no use for it";
@@ -110,13 +119,11 @@ bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const 
         reason = "on: asked for";
         return true;
     }
-    const std::string rays = number(rays_per_glyph) + " rays per glyph; it pays from " + number(kPoleTableRays);
-    if (rays_per_glyph >= kPoleTableRays) {
-        reason = "on: about " + rays;
-        return true;
-    }
-    reason = "off: about " + rays;
-    return false;
+    const bool pays = use.band >= kPoleTableBand && use.rays_per_glyph >= kPoleTableRays;
+    reason = std::string(pays ? "on: " : "off: ") + "band " + std::to_string(use.band) + ", about " +
+             number(use.rays_per_glyph) + " rays per glyph; it pays from band " + std::to_string(kPoleTableBand) + " and " +
+             number(kPoleTableRays) + " rays";
+    return pays;
 }
 
 GlyphPlan planLayer(const model::Layer& layer, std::size_t index, const LayerFacts& facts, model::Intersection method) {
@@ -163,11 +170,11 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     plan.resolved.quality.traversal = traversal;
     const std::string kind = traversal == model::Traversal::kRayQuery ? "query_" : "trace_";
     const std::string solver = method == model::Intersection::kPolynomial ? "polynomial_" : "";
-    const double rays_per_glyph = raysPerGlyph(layers);
+    const TableUse table_use = tableUse(request.scene.layers, layers);
     for (std::size_t i = 0; i < layers.size(); ++i) {
         GlyphPlan glyphs = planLayer(request.scene.layers[i], i, layers[i], method);
         std::string reason;
-        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], rays_per_glyph, reason);
+        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], table_use, reason);
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
         plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);

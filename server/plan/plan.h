@@ -76,9 +76,11 @@ struct FramePlan {
 ///         method that does not fit the data (the polynomial needs even bands 2 to 12), with what would do
 FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities);
 
-/// Box pixels per glyph from which the table pays: about a third of them hit, and a read of its longer rows costs more than a
-/// sum. Measured on lavapipe at band 8: direct is faster at 4.4, the table at 12.6 (radiata-lab run glyph-frame).
-constexpr double kPoleTableRays = 6.0;
+/// Highest band and box pixels per glyph from which the table pays: below, a read of its longer rows costs as much as turning
+/// the coefficients. Measured on lavapipe only: no gain at band 10 with 13 pixels and at band 8 with any, a gain of 1.0 to 1.6
+/// at band 12 with one glyph filling the view (radiata-lab run glyph-frame, march-vs-polynomial).
+constexpr int kPoleTableBand = 12;
+constexpr double kPoleTableRays = 32.0;
 /// Box pixels per glyph from which the table for rays towards the light pays: a part of the pixels in a glyph's box shows a
 /// surface that faces the light.
 constexpr double kSunTableRays = 12.0;

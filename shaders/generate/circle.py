@@ -7,29 +7,25 @@ meridian, to which one more turn about the new pole and the constant series of t
 multiplications of K + 1 samples and their Fourier analysis, for band 12 a quarter; every step is orthogonal, so errors stay at rounding.
 """
 from sh_math import arguments, index, number
-from sh_turns import kQuarterAboutY, legendre_fourier, quarter_turn, turn_about_z
+from sh_turns import kQuarterAboutY, legendre_fourier, multiples, quarter_turn_band, turn_band_about_z
 
 
-def meridian(out, k, full):
-    """The part of f o (turn about the pole by (ca, sa)) that is even in azimuth, and its series, shifted to phi."""
-    fourier = legendre_fourier(k, full)
-    bands = range(0, k + 1, 1 if full else 2)
-    out.append("    float ca1 = ca, sa1 = sa;")
-    for m in range(2, k + 1):
-        out.append(f"    const float ca{m} = ca{m - 1} * ca - sa{m - 1} * sa, sa{m} = sa{m - 1} * ca + ca{m - 1} * sa;")
-    for l in bands:
-        out.append(f"    const float t{l}_0 = s[{index(l, 0, full)}];")
-        for m in range(1, l + 1):
-            sign = "-" if m % 2 else "+"
-            out.append(f"    const float t{l}_{m} = s[{index(l, -m, full)}] * ca{m} {sign} s[{index(l, m, full)}] * sa{m};")
-    stride = 1 if full else 2
-    for h in range(0, k + 1, stride):
-        parts = []
-        for parity in (0, 1):
-            terms = [f"{number(fourier[(l, m)][h])} * t{l}_{m}" for l in bands for m in range(parity, l + 1, 2)
-                     if h <= l and abs(fourier[(l, m)][h]) > 1e-12]
-            parts.append(" + ".join(terms) if terms else "0.0")
-        out.append(f"    F[{h // stride}] = vec2({parts[0]}, {parts[1]});")
+def band_onto_meridian(out, l, k, full, fourier):
+    """Turns one band and adds its series to F. Band by band, few values live at a time: they stay in registers."""
+    at = lambda m: index(l, m, full)
+    turn_band_about_z(out, l, full, "c[{}]", "r", "cz", "sz")
+    quarter_turn_band(out, l, full, kQuarterAboutY, "r{}", "s")
+    # Only what is even in azimuth after the last turn meets the meridian at azimuth 0.
+    out.append(f"    const float t{l}_0 = s{at(0)};")
+    for m in range(1, l + 1):
+        sign = "-" if m % 2 else "+"
+        out.append(f"    const float t{l}_{m} = s{at(-m)} * ca{m} {sign} s{at(m)} * sa{m};")
+    for h in range(0, l + 1, 1 if full else 2):
+        for parity, part in ((0, "x"), (1, "y")):
+            terms = [f"{number(fourier[(l, m)][h])} * t{l}_{m}" for m in range(parity, l + 1, 2)
+                     if abs(fourier[(l, m)][h]) > 1e-12]
+            if terms:
+                out.append(f"    F[{h if full else h // 2}].{part} += {' + '.join(terms)};")
 
 
 def main():
@@ -40,10 +36,12 @@ def main():
            "    const vec3 q = horizontalOf(d, e);",
            "    const PoleCircle circle = poleCircle(q, d, e);",
            "    const float cz = q.x, sz = q.y, ca = circle.azimuth.x, sa = circle.azimuth.y;",
-           "    float r[SH_COUNT], s[SH_COUNT];"]
-    turn_about_z(out, k, full, "c", "r", "cz", "sz")
-    quarter_turn(out, k, full, kQuarterAboutY, "r", "s")
-    meridian(out, k, full)
+           "    for (int h = 0; h <= CIRCLE_HARMONICS; ++h) F[h] = vec2(0.0);"]
+    multiples(out, k, "cz", "sz")
+    multiples(out, k, "ca", "sa")
+    fourier = legendre_fourier(k, full)
+    for l in range(0, k + 1, 1 if full else 2):
+        band_onto_meridian(out, l, k, full, fourier)
     out += ["    poleCircleShift(F, circle.offset);", "}"]
     with open(target, "w", encoding="ascii") as file:
         file.write("\n".join(out) + "\n")

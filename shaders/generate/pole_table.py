@@ -8,7 +8,7 @@ for odd m, where h has the parity of the band. The table holds all C and S:
 The frame's axes are n1 = Rz Ry x, n2 = Rz Ry y, q = Rz Ry z (poleFrame). Source: research of van Almsick et al. 2011 (k = 4), generalised.
 """
 from sh_math import arguments, index, number
-from sh_turns import kQuarterAboutX, legendre_fourier, quarter_turn, turn_about_z
+from sh_turns import kQuarterAboutX, legendre_fourier, multiples, quarter_turn_band, turn_band_about_z
 
 
 def entries(k, full):
@@ -28,12 +28,14 @@ def build(k, full, order):
     out = ["void poleTableBuild(const float c[SH_COUNT], vec3 q, out float table[POLE_TABLE_COUNT]) {",
            "    const float sin_theta = length(q.xy);",
            "    const float cz = sin_theta > 1e-12 ? q.x / sin_theta : 1.0, sz = sin_theta > 1e-12 ? q.y / sin_theta : 0.0;",
-           "    const float ct = q.z, st = sin_theta;",
-           "    float r[SH_COUNT], s[SH_COUNT];"]
-    turn_about_z(out, k, full, "c", "r", "cz", "sz")
-    quarter_turn(out, k, full, kQuarterAboutX.T, "r", "s")
-    turn_about_z(out, k, full, "s", "r", "ct", "st")
-    quarter_turn(out, k, full, kQuarterAboutX, "r", "s")
+           "    const float ct = q.z, st = sin_theta;"]
+    multiples(out, k, "cz", "sz")
+    multiples(out, k, "ct", "st")
+    for l in range(0, k + 1, 1 if full else 2):
+        turn_band_about_z(out, l, full, "c[{}]", "r", "cz", "sz")
+        quarter_turn_band(out, l, full, kQuarterAboutX.T, "r{}", "s")
+        turn_band_about_z(out, l, full, "s{}", "u", "ct", "st")
+        quarter_turn_band(out, l, full, kQuarterAboutX, "u{}", "v")
     fourier = legendre_fourier(k, full)
     for i, (m, kind, h) in enumerate(order):
         sign = -1.0 if kind == 1 and m % 2 else 1.0
@@ -43,7 +45,7 @@ def build(k, full, order):
                 continue
             if (l - h) % 2 or h > l or abs(fourier[(l, m)][h]) < 1e-12:
                 continue
-            terms.append(f"{number(sign * fourier[(l, m)][h])} * s[{index(l, m if kind else -m, full)}]")
+            terms.append(f"{number(sign * fourier[(l, m)][h])} * v{index(l, m if kind else -m, full)}")
         out.append(f"    table[{i}] = {' + '.join(terms) if terms else '0.0'};")
     out.append("}")
     return out

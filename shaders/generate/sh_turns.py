@@ -26,28 +26,30 @@ def legendre_fourier(k, full):
     return result
 
 
-def turn_about_z(out, k, full, source, target, cos_name, sin_name):
-    """target = coefficients of f o Rz(angle): cos(m (a + angle)) and so on."""
-    out.append(f"    float {cos_name}1 = {cos_name}, {sin_name}1 = {sin_name};")
+def multiples(out, k, cos_name, sin_name):
+    """cos and sin of m times the angle, m = 1 to k, as NAME1, NAME2, ..."""
+    out.append(f"    const float {cos_name}1 = {cos_name}, {sin_name}1 = {sin_name};")
     for m in range(2, k + 1):
         out.append(f"    const float {cos_name}{m} = {cos_name}{m - 1} * {cos_name} - {sin_name}{m - 1} * {sin_name}, "
                    f"{sin_name}{m} = {sin_name}{m - 1} * {cos_name} + {cos_name}{m - 1} * {sin_name};")
-    for l in range(0, k + 1, 1 if full else 2):
-        out.append(f"    {target}[{index(l, 0, full)}] = {source}[{index(l, 0, full)}];")
-        for m in range(1, l + 1):
-            minus, plus = index(l, -m, full), index(l, m, full)
-            # f = c- N cos(ma) + s c+ N sin(ma), s = (-1)^m
-            s = "-" if m % 2 else "+"
-            t = "+" if m % 2 else "-"
-            out.append(f"    {target}[{minus}] = {source}[{minus}] * {cos_name}{m} {s} {source}[{plus}] * {sin_name}{m};")
-            out.append(f"    {target}[{plus}] = {source}[{plus}] * {cos_name}{m} {t} {source}[{minus}] * {sin_name}{m};")
 
 
-def quarter_turn(out, k, full, rotation, source, target):
-    """target = coefficients of f o rotation, for one of the constant rotations or its transpose."""
-    for l in range(0, k + 1, 1 if full else 2):
-        matrix = band_transform(l, rotation)
-        for row in range(2 * l + 1):
-            terms = [f"{number(matrix[row, col])} * {source}[{index(l, col - l, full)}]"
-                     for col in range(2 * l + 1) if matrix[row, col] != 0.0]
-            out.append(f"    {target}[{index(l, row - l, full)}] = {' + '.join(terms) if terms else '0.0'};")
+def turn_band_about_z(out, l, full, source, target, cos_name, sin_name):
+    """TARGETi = coefficient i of f o Rz(angle), i in band l: cos(m (a + angle)) and so on. source: how i is read, e.g. "c[{}]"."""
+    zero = index(l, 0, full)
+    out.append(f"    const float {target}{zero} = {source.format(zero)};")
+    for m in range(1, l + 1):
+        minus, plus = index(l, -m, full), index(l, m, full)
+        # f = c- N cos(ma) + s c+ N sin(ma), s = (-1)^m
+        s, t = ("-", "+") if m % 2 else ("+", "-")
+        out.append(f"    const float {target}{minus} = {source.format(minus)} * {cos_name}{m} {s} {source.format(plus)} * {sin_name}{m};")
+        out.append(f"    const float {target}{plus} = {source.format(plus)} * {cos_name}{m} {t} {source.format(minus)} * {sin_name}{m};")
+
+
+def quarter_turn_band(out, l, full, rotation, source, target):
+    """TARGETi = coefficient i of f o rotation, i in band l, for one of the constant rotations or its transpose."""
+    matrix = band_transform(l, rotation)
+    for row in range(2 * l + 1):
+        terms = [f"{number(matrix[row, col])} * {source.format(index(l, col - l, full))}"
+                 for col in range(2 * l + 1) if matrix[row, col] != 0.0]
+        out.append(f"    const float {target}{index(l, row - l, full)} = {' + '.join(terms) if terms else '0.0'};")

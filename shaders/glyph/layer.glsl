@@ -25,7 +25,7 @@ layout(constant_id = 9) const bool kPolynomialStopOnBracket = false;
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer LayerBuffer { GlyphLayerParams layer; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
-layout(buffer_reference, scalar) buffer FloatBuffer { float at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer FloatBuffer { float at[]; };
 layout(buffer_reference, scalar) readonly buffer UintBuffer { uint at[]; };
 layout(buffer_reference, scalar) readonly buffer RangeBuffer { uvec2 at[]; };
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };

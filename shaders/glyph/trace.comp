@@ -2,7 +2,7 @@
 // Sources: Peters et al. 2023, Sec. 4 (boxes, normals); hits by common/circle_march.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_arithmetic : require
+#extension GL_KHR_shader_subgroup_ballot : require
 #ifdef TRAVERSE_RAY_QUERY
 #extension GL_EXT_ray_query : require
 #endif
@@ -158,10 +158,8 @@ void main() {
         push.surface.at[at].layer_and_steps += min(total_steps, 0xffffffu - earlier_steps);
     }
     if (!kBoxesOnly) {
-        const uint hits = subgroupAdd(hit && empty_before ? 1u : 0u), capped = subgroupAdd(capped_rays);
-        if (subgroupElect()) {
-            if (hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
-            if (capped > 0u) atomicAdd(push.counters.capped_rays, capped);
-        }
+        const uint hits = subgroupBallotBitCount(subgroupBallot(hit && empty_before));
+        if (subgroupElect() && hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
+        if (capped_rays > 0u) atomicAdd(push.counters.capped_rays, capped_rays);
     }
 }

@@ -37,8 +37,8 @@ LayerFacts deep(double boxes) {
     return layer;
 }
 
-LayerFacts withRays(double rays_per_glyph, bool camera_close = false) {
-    LayerFacts layer = facts();
+LayerFacts withRays(double rays_per_glyph, bool camera_close = false, int lmax = kPoleTableBand) {
+    LayerFacts layer = facts(lmax);
     layer.rays_per_glyph = rays_per_glyph;
     layer.camera_close = camera_close;
     return layer;
@@ -170,11 +170,15 @@ TEST(PlanPoleTable, IsUsedWhereItPays) {
         bool close;
         bool used;
         const char* reason;
+        int lmax = kPoleTableBand;
     };
     using model::PoleTable;
     const Case cases[] = {
-        {PoleTable::kAuto, kPoleTableRays, false, true, "on: about 6.0 rays per glyph; it pays from 6.0"},
-        {PoleTable::kAuto, 5.9, false, false, "off: about 5.9 rays per glyph; it pays from 6.0"},
+        {PoleTable::kAuto, kPoleTableRays, false, true,
+         "on: band 12, about 32.0 rays per glyph; it pays from band 12 and 32.0 rays"},
+        {PoleTable::kAuto, 31.9, false, false, "off: band 12, about 31.9 rays per glyph; it pays from band 12 and 32.0 rays"},
+        {PoleTable::kAuto, 1000, false, false, "off: band 10, about 1000.0 rays per glyph; it pays from band 12 and 32.0 rays",
+         10},
         {PoleTable::kAuto, 1000, true, false, "off: the camera is inside or next to a glyph"},
         {PoleTable::kOn, 0, false, true, "on: asked for"},
         {PoleTable::kOn, 1000, true, false, "off: the camera is inside or next to a glyph"},
@@ -183,7 +187,7 @@ TEST(PlanPoleTable, IsUsedWhereItPays) {
     for (const Case& c : cases) {
         model::FrameRequest frame = request();
         frame.quality.pole_table = c.wanted;
-        const FramePlan plan = planFrame(frame, {withRays(c.rays, c.close)}, kAll);
+        const FramePlan plan = planFrame(frame, {withRays(c.rays, c.close, c.lmax)}, kAll);
         EXPECT_EQ(plan.uses_pole_table, c.used) << c.reason;
         EXPECT_EQ(plan.glyphs.at(0).pole_table, c.used) << c.reason;
         EXPECT_EQ(plan.pole_table_reason, c.reason);
@@ -199,9 +203,9 @@ TEST(PlanPoleTable, IsUsedWhereItPays) {
 }
 
 TEST(PlanPasses, RunInOrderWithModulesThatExist) {
-    const FramePlan one = planFrame(request(), {withRays(10)}, kAll);
+    const FramePlan one = planFrame(request(), {withRays(40)}, kAll);
     EXPECT_THAT(names(one), ElementsAre("glyph table", "glyph trace", "light", "resolve"));
-    EXPECT_THAT(modules(one), ElementsAre("glyph_table_even8", "glyph_trace_even8", "light", "resolve"));
+    EXPECT_THAT(modules(one), ElementsAre("glyph_table_even12", "glyph_trace_even12", "light", "resolve"));
     model::FrameRequest frame = request(2);
     frame.quality.pole_table = model::PoleTable::kOn;
     const FramePlan two = planFrame(frame, {withRays(10, true), withRays(10)}, kAll);
@@ -229,8 +233,8 @@ TEST(PlanPasses, RunInOrderWithModulesThatExist) {
 }
 
 TEST(PlanFrame, ResolvedRequestPlansToItself) {
-    for (const auto& layers : {std::vector{withRays(10), withRays(0.5)}, std::vector{withRays(0.5), withRays(10)},
-                               std::vector{withRays(10, true), withRays(10)}, std::vector{withRays(1), withRays(1)}}) {
+    for (const auto& layers : {std::vector{withRays(100), withRays(0.5)}, std::vector{withRays(0.5), withRays(100)},
+                               std::vector{withRays(100, true), withRays(100)}, std::vector{withRays(1), withRays(1)}}) {
         model::FrameRequest frame = request(2);
         frame.scene.layers[1].glyphs.negative_lobes = model::NegativeLobes::kShown;
         const FramePlan first = planFrame(frame, layers, kAll);
