@@ -191,7 +191,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         plan.glyphs.push_back(std::move(glyphs));
     }
     plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;
-    planVisibility(plan, layers, abilities, rays_per_glyph);
+    planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     return plan;
