@@ -33,6 +33,11 @@ class ErrorsTest(ClientTest):
                                 (["render", "-o", out, "--position", "1,2"], "--position"),
                                 (["render", "-o", out, "--size", "12"], "WIDTHxHEIGHT"),
                                 (["render", "-o", out, "--volume", "--slab", "2"], "--slab"),
+                                (["render", "-o", out, "--shadow", "long"], "--shadow"),
+                                (["render", "-o", out, "--light-radius", "5"], "--shadow soft"),
+                                (["render", "-o", out, "--shadow", "hard", "--shadow-rays", "5"], "--shadow soft"),
+                                (["render", "-o", out, "--occlusion-radius", "5"], "--ambient-occlusion"),
+                                (["render", "-o", out, "--light", "0,0,1", "--light-world", "0,0,1"], "--light-world"),
                                 (["render", "-o", out, "--camera", "{broken"], "JSON"),
                                 (["render", "-o", out, "--camera", "no-such-file.json"], "no-such-file.json"),
                                 (["render", "-o", out, "--camera", json.dumps({**CAMERA, "fov": 3})], "'fov'"),
@@ -58,6 +63,9 @@ class ErrorsTest(ClientTest):
         self.fails(4, ["render", "--size", "0x10"] + out, "0x10")
         self.fails(4, ["render", "--samples", "65"] + out, "65")
         self.fails(4, ["render", "--factor", "nan"] + out, "factor")
+        for radius in ("0", "-1", "nan"):
+            self.fails(4, ["render", "--shadow", "soft", "--light-radius", radius] + out, "angular_radius_deg")
+        self.fails(4, ["render", "--shadow", "soft", "--shadow-rays", "10000"] + out, "shadow_rays is 10000")
         for camera, word in (({**CAMERA, "up": [0, 0, 0]}, "up"), ({**CAMERA, "up": [0, 0, 2]}, "parallel"),
                              ({**CAMERA, "eye_mm": [0, 0, 0]}, "differ"), ({**CAMERA, "height_mm": -1}, "height_mm"),
                              ({**CAMERA, "clip": {"nearest_mm": 3, "farthest_mm": 2}}, "clip")):

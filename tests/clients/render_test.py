@@ -56,6 +56,17 @@ class RenderTest(ClientTest):
             info = json.loads((self.folder / "a.json").read_text())
             self.assertEqual(info["request"]["scene"]["layers"][0]["glyphs"]["colour"], colour)
 
+    def test_shadows_are_echoed(self):
+        self.render("--info", self.folder / "a.json", "--light-world", "1,2,3", "--shadow", "soft", "--light-radius", "8",
+                    "--shadow-rays", "4", "--ambient-occlusion", "6", "--occlusion-radius", "2.5", "--casts-no-shadows")
+        scene = json.loads((self.folder / "a.json").read_text())["request"]["scene"]
+        light = scene["light"]
+        self.assertEqual(light["direction_world"], [1, 2, 3])
+        self.assertNotIn("direction_camera", light)
+        self.assertEqual((light["shadow"], light["angular_radius_deg"], light["shadow_rays"]), ("soft", 8, 4))
+        self.assertEqual(light["ambient_occlusion"], {"rays": 6, "radius_mm": 2.5})
+        self.assertFalse(scene["layers"][0]["casts_shadows"])
+
     def test_contradicting_colours_are_refused(self):
         for arguments, word in ((("--colour", "scalar"), "--colour-image"), (("--colour-image", "fa"), "--colour scalar"),
                                 (("--colour-range", "0,1"), "--colour-range"), (("--uniform-colour", "1,1,1"), "--uniform"),
@@ -90,7 +101,8 @@ class RenderTest(ClientTest):
         self.assertEqual((glyphs["lmax"], glyphs["negative_lobes"]), (4, "shown"))
         self.assertEqual((request["quality"]["traversal"], request["quality"]["pole_table"]), ("ray-query", "off"))
         self.assertEqual(request["scene"]["background"], [0.5, 0.25, 0])
-        self.assertEqual(request["scene"]["light"], {"direction_camera": [-1, 1, 2], "irradiance": 2, "ambient": 0.25})
+        self.assertEqual(request["scene"]["light"], {"direction_camera": [-1, 1, 2], "irradiance": 2, "ambient": 0.25,
+                                                     "shadow": "none", "angular_radius_deg": 5, "shadow_rays": 16})
         self.assertEqual(request["scene"]["annotations"], {"convention": "neurological", "hidden": True})
 
     def test_camera_file_and_echoed_camera_give_the_same_picture(self):
