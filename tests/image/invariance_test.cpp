@@ -122,7 +122,9 @@ TEST_F(Invariance, ScaledWithItsCamera) {
         scaled.request.camera.height_mm *= scale;
         const model::Frame a = drawn(id, view), b = drawn(id + "-scaled", scaled);
         expectSame(a, b, radiusOf(id), scale, glm::dmat3(1.0));
-        if (scale == 1024.0) EXPECT_EQ(a.pixels.rgba, b.pixels.rgba);
+        if (scale == 1024.0) {
+            EXPECT_EQ(a.pixels.rgba, b.pixels.rgba);
+        }
     }
 }
 
@@ -156,7 +158,9 @@ TEST_F(Invariance, WrittenInAnotherConventionAndConverted) {
         const std::string id = "convention" + std::to_string(int(convention));
         const model::Frame frame = drawn(id, other);
         expectSame(expected, frame, radiusOf("own"), 1, glm::dmat3(1.0));
-        if (convention != ShConvention::kMrtrix02) EXPECT_EQ(expected.pixels.rgba, frame.pixels.rgba);
+        if (convention != ShConvention::kMrtrix02) {
+            EXPECT_EQ(expected.pixels.rgba, frame.pixels.rgba);
+        }
     }
 }
 

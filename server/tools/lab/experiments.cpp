@@ -12,6 +12,7 @@ const std::vector<Experiment>& experiments() {
         {"glyph-pareto", "one glyph by every method and setting: time against error, with the Pareto front", glyphPareto},
         {"peters-bounds", "Peters et al. 2023, Sec. 4.2: boxes by search and margin, and certified ones; time per glyph",
          petersBounds},
+        {"peters-fig1", "Peters et al. 2023, Fig. 1: one glyph close by in soft light, and a whole slice", petersFig1},
         {"peters-fig3", "Peters et al. 2023, Fig. 3: roots in the ray parameter and in the turned frame, single precision",
          petersFig3},
         {"peters-fig4", "Peters et al. 2023, Fig. 4: what hard and soft shadows and ambient occlusion add to the glyph passes",

@@ -10,6 +10,7 @@ Report marchVersusPolynomial(gpu::Device& device, const Options& options);
 Report petersFig4(gpu::Device& device, const Options& options);
 Report glyphPareto(gpu::Device& device, const Options& options);
 Report petersBounds(gpu::Device& device, const Options& options);
+Report petersFig1(gpu::Device& device, const Options& options);
 Report petersFig3(gpu::Device& device, const Options& options);
 Report petersFig7(gpu::Device& device, const Options& options);
 
