@@ -114,6 +114,7 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     quality.set_traversal(options.traversal);
     quality.set_pole_table(options.pole_table);
     quality.set_sun_table(options.sun_table);
+    if (options.tensors.march.ByteSizeLong() > 0) *quality.mutable_tensor_march() = options.tensors.march;
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
 }
 
@@ -160,6 +161,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     app.add_option("--colour-image", options.colour_image, "Catalogue id of the scalar volume of --colour scalar");
     addVector(app, "--uniform-colour", options.uniform_colour, "Colour of --colour uniform, linear RGB 0 to 1 (default grey)")
         ->type_name("R,G,B");
+    addTensorOptions(app, options.tensors);
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
     app.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
     addWords(app, "--convention", options.convention, v1::Annotations::Convention_descriptor(),
@@ -188,7 +190,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::Layer& layer = *scene.add_layers();
     if (options.opacity) layer.set_opacity(*options.opacity);
     if (options.no_casting) layer.set_casts_shadows(false);
-    v1::GlyphLayer& glyphs = *layer.mutable_glyphs();
+    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
     glyphs.set_dataset_id(options.dataset);
     setSelection(*glyphs.mutable_selection(), options);
     glyphs.mutable_scale()->set_mode(options.scale);
@@ -207,7 +209,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
 
 void completeRequest(v1::FrameRequest& request, const Connection& connection) {
     const auto stub = v1::CatalogService::NewStub(connection.channel());
-    v1::GlyphLayer& glyphs = *request.mutable_scene()->mutable_layers(0)->mutable_glyphs();
+    v1::GlyphLayer& glyphs = glyphsOf(*request.mutable_scene()->mutable_layers(0));
     if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
     if (request.has_camera()) return;
     v1::FitCameraRequest fit;

@@ -13,6 +13,7 @@
 
 #include "common/connection.h"
 #include "common/light_options.h"
+#include "common/tensor_options.h"
 
 namespace radiata::client {
 
@@ -34,6 +35,7 @@ struct RequestOptions {
     std::vector<double> colour_range;  ///< two numbers
     std::string colour_image;
     std::vector<double> uniform_colour;
+    TensorOptions tensors;
     std::optional<float> opacity;
     std::string size = "1280x720";
     v1::Annotations::Convention convention = v1::Annotations::CONVENTION_RADIOLOGICAL;

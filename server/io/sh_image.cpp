@@ -88,10 +88,13 @@ model::ShImage readShImage(const std::filesystem::path& path, const ShOptions& o
 }
 
 std::string describe(const model::ShImage& image) {
+    const std::string read_as =
+        image.tensor_order > 0
+            ? "tensors of order " + std::to_string(image.tensor_order) + ", read as " + image.tensor_format
+            : std::string(image.layout.full ? "full" : "even") + " bands to " + std::to_string(image.layout.lmax) + " (" +
+                  std::to_string(image.layout.count()) + " volumes), read as " + std::string(name(image.file_convention));
     return image.source + ": " + std::to_string(image.voxels.size()) + " glyphs in " + std::to_string(image.size.x) + " x " +
-           std::to_string(image.size.y) + " x " + std::to_string(image.size.z) + " voxels, " +
-           (image.layout.full ? "full" : "even") + " bands to " + std::to_string(image.layout.lmax) + " (" +
-           std::to_string(image.layout.count()) + " volumes), read as " + std::string(name(image.file_convention)) +
+           std::to_string(image.size.y) + " x " + std::to_string(image.size.z) + " voxels, " + read_as +
            " with directions in " + std::string(name(image.file_axes)) + " axes; " + std::to_string(image.rejected_voxels) +
            " voxels left out for NaN or infinity";
 }

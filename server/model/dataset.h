@@ -22,6 +22,8 @@ struct DatasetInfo {
     ShLayout layout;
     ShConvention convention = ShConvention::kTournier07;  ///< of the file
     ShAxes axes = ShAxes::kWorld;
+    int tensor_order = 0;       ///< 2 to 12: the file held tensors, the layout has their bands; 0: it held spherical harmonics
+    std::string tensor_format;  ///< how a tensor file was read: "mrtrix", "voigt-stiffness", ...
     std::uint64_t glyph_count = 0;
     std::uint64_t rejected_voxels = 0;
     float amplitude_max = 0;

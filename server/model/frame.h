@@ -11,9 +11,19 @@
 
 namespace radiata::model {
 
-enum class Intersection { kMarch, kPolynomial };
+enum class Intersection { kMarch, kPolynomial, kTensorMarch, kTensorInterval, kTensorAffine };
 enum class Traversal { kAuto, kRayQuery, kBvh, kTiles };
 enum class PoleTable { kAuto, kOn, kOff };
+
+/// Settings of the methods that draw tensors themselves; Hlawitschka et al., Sec. 4 and 5.
+struct TensorMarchSettings {
+    float step = 0.02F;       ///< radii of the glyph's bounding sphere
+    int bisections = 0;       ///< of the bracket in which the surface was found
+    bool interpolate = true;  ///< one linear interpolation after them; else the middle of the bracket
+    bool adaptive = true;     ///< steps of a third near the centre
+    int depth = 12;           ///< intervals and affine forms: a ray is halved so many times at most
+    bool operator==(const TensorMarchSettings&) const = default;
+};
 
 struct Quality {
     int samples = 16;  ///< per pixel of a picture at rest
@@ -22,6 +32,7 @@ struct Quality {
     PoleTable pole_table = PoleTable::kAuto;
     PoleTable sun_table = PoleTable::kAuto;  ///< for rays towards the light of hard shadows
     bool polynomial_bracket_stop = true;     ///< the polynomial solver stops on the bracket's width; false: as its paper does
+    TensorMarchSettings tensor_march;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

@@ -93,6 +93,19 @@ void checkLight(const Light& light, const Limits& limits) {
     }
 }
 
+void checkTensorMarch(const TensorMarchSettings& settings) {
+    const std::string where = "quality.tensor_march.";
+    if (!(settings.step >= 0.001F && settings.step <= 0.5F)) {
+        refuse(where + "step is " + std::to_string(settings.step) + "; it must be 0.001 to 0.5 radii");
+    }
+    if (settings.bisections < 0 || settings.bisections > 3) {
+        refuse(where + "bisections is " + std::to_string(settings.bisections) + "; it must be 0 to 3");
+    }
+    if (settings.depth < 4 || settings.depth > 16) {
+        refuse(where + "depth is " + std::to_string(settings.depth) + "; it must be 4 to 16");
+    }
+}
+
 void checkScene(const Scene& scene, const Limits& limits) {
     if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
     if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
@@ -129,6 +142,7 @@ void validate(const FrameRequest& request, const Limits& limits) {
     if (request.quality.jpeg_quality < 1 || request.quality.jpeg_quality > 100) {
         refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
     }
+    checkTensorMarch(request.quality.tensor_march);
     checkScene(request.scene, limits);
     cameraFrame(request.camera);
 }

@@ -16,6 +16,9 @@ enum class Region { kSlice, kSlab, kVolume };
 enum class ScaleMode { kGlobal, kPerGlyph, kAbsolute };
 enum class NegativeLobes { kHidden, kShown };
 enum class Shadow { kNone, kHard, kSoft };
+/// What is drawn of a tensor: the surface of distance |T(x, ..., x)| (any order), or the ellipsoid with the eigenvalues as half
+/// axes (order 2).
+enum class TensorShape { kReynolds, kEllipsoid };
 enum class Convention { kRadiological, kNeurological };
 
 /// Which voxels of a dataset get a glyph.
@@ -60,6 +63,7 @@ struct GlyphLayer {
     std::optional<int> lmax;  ///< none: all bands
     NegativeLobes negative_lobes = NegativeLobes::kHidden;
     GlyphColour colour;
+    std::optional<TensorShape> tensor;  ///< the layer is one of tensor glyphs
     bool operator==(const GlyphLayer&) const = default;
 };
 

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/plan_visibility.h"
+#include "plan/tensor_methods.h"
 
 namespace radiata::plan {
 namespace {
@@ -101,10 +102,14 @@ TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<Lay
     return use;
 }
 
-bool choosePoleTable(model::PoleTable wanted, model::Intersection method, const LayerFacts& layer, const TableUse& use,
-                     std::string& reason) {
+bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool tensors, const LayerFacts& layer,
+                     const TableUse& use, std::string& reason) {
     if (method == model::Intersection::kPolynomial) {
         reason = "off: the polynomial solver has no use for it";
+        return false;
+    }
+    if (tensors) {
+        reason = "off: tensors are drawn without spherical harmonics";
         return false;
     }
     if (wanted == model::PoleTable::kOff) {
@@ -174,7 +179,9 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     for (std::size_t i = 0; i < layers.size(); ++i) {
         GlyphPlan glyphs = planLayer(request.scene.layers[i], i, layers[i], method);
         std::string reason;
-        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, layers[i], table_use, reason);
+        const std::string tensors = tensorShader(
+            request.scene.layers[i].glyphs, "scene.layers[" + std::to_string(i) + "].glyphs", layers[i].tensor_order, method);
+        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, !tensors.empty(), layers[i], table_use, reason);
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
         plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);
@@ -186,8 +193,8 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         if (glyphs.pole_table) {
             plan.passes.push_back({PassKind::kGlyphTable, "glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
         }
-        plan.passes.push_back(
-            {PassKind::kGlyphTrace, "glyph trace" + suffix, "glyph_" + solver + kind + glyphs.layout_name, layer});
+        const std::string drawn = tensors.empty() ? solver + kind + glyphs.layout_name : kind + tensors;
+        plan.passes.push_back({PassKind::kGlyphTrace, "glyph trace" + suffix, "glyph_" + drawn, layer});
         plan.glyphs.push_back(std::move(glyphs));
     }
     plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;

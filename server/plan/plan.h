@@ -22,6 +22,7 @@ struct Abilities {
 /// What is known about one layer of the request before drawing it.
 struct LayerFacts {
     ShLayout layout;           ///< of the dataset
+    int tensor_order = 0;      ///< of the dataset's tensors; 0: it has none
     std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
     double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs

@@ -25,6 +25,8 @@ model::Convention fromProto(v1::Annotations::Convention convention, const std::s
 model::Light fromProto(const v1::Light& light, const std::string& where);
 model::Scene fromProto(const v1::Scene& scene, const std::string& where);
 model::Quality fromProto(const v1::Quality& quality, const std::string& where);
+model::TensorMarchSettings fromProto(const v1::TensorMarch& settings, const std::string& where);
+model::TensorShape fromProto(v1::TensorShape shape, const std::string& where);
 model::FrameRequest fromProto(const v1::FrameRequest& request, const std::string& where);
 session::Change fromProto(const v1::UpdateRequest& request);
 /// \throws for unknown and repeated outputs
@@ -38,6 +40,8 @@ v1::GlyphColour toProto(const model::GlyphColour& colour);
 v1::Light toProto(const model::Light& light);
 v1::Scene toProto(const model::Scene& scene);
 v1::Quality toProto(const model::Quality& quality);
+v1::TensorMarch toProto(const model::TensorMarchSettings& settings);
+v1::TensorShape toProto(model::TensorShape shape);
 v1::FrameRequest toProto(const model::FrameRequest& request);
 v1::Dataset toProto(const model::DatasetInfo& info);
 v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backend& backend);

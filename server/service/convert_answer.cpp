@@ -90,7 +90,9 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
     message.set_kind(info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
+                     : info.tensor_order > 0                        ? v1::DATASET_KIND_TENSOR_IMAGE
                                                                     : v1::DATASET_KIND_SH_IMAGE);
+    message.set_tensor_order(static_cast<std::uint32_t>(info.tensor_order));
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {
         for (int column = 0; column < 4; ++column) message.mutable_voxel_to_world()->add_rows(info.voxel_to_world[column][row]);
@@ -98,7 +100,7 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     if (info.kind == model::DatasetKind::kShImage) {
         message.set_lmax(static_cast<std::uint32_t>(info.layout.lmax));
         message.set_full_basis(info.layout.full);
-        message.set_convention(std::string(name(info.convention)));
+        message.set_convention(info.tensor_order > 0 ? info.tensor_format : std::string(name(info.convention)));
         message.set_axes(std::string(name(info.axes)));
     }
     message.set_value_min(info.value_min);

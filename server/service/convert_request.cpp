@@ -1,9 +1,26 @@
 // Cameras, quality, and the requests that carry them.
+#include "plan/tensor_methods.h"
 #include "service/convert.h"
 #include "service/convert_checks.h"
 
 namespace radiata::service {
 namespace {
+
+v1::IntersectionMethod toProto(model::Intersection method) {
+    switch (method) {
+        case model::Intersection::kMarch:
+            break;
+        case model::Intersection::kPolynomial:
+            return v1::INTERSECTION_METHOD_POLYNOMIAL;
+        case model::Intersection::kTensorMarch:
+            return v1::INTERSECTION_METHOD_TENSOR_MARCH;
+        case model::Intersection::kTensorInterval:
+            return v1::INTERSECTION_METHOD_TENSOR_INTERVAL;
+        case model::Intersection::kTensorAffine:
+            return v1::INTERSECTION_METHOD_TENSOR_AFFINE;
+    }
+    return v1::INTERSECTION_METHOD_MARCH;
+}
 
 glm::dvec3 required(bool present, const v1::Vec3& v, const std::string& where) {
     if (!present) refuse(where + " is missing");
@@ -71,6 +88,12 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
         default:
             break;
     }
+    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_MARCH) result.intersection = model::Intersection::kTensorMarch;
+    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_INTERVAL)
+        result.intersection = model::Intersection::kTensorInterval;
+    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_AFFINE)
+        result.intersection = model::Intersection::kTensorAffine;
+    result.tensor_march = fromProto(quality.tensor_march(), where + ".tensor_march");
     if (quality.pole_table() == v1::POLE_TABLE_ON) result.pole_table = model::PoleTable::kOn;
     if (quality.pole_table() == v1::POLE_TABLE_OFF) result.pole_table = model::PoleTable::kOff;
     if (quality.sun_table() == v1::POLE_TABLE_ON) result.sun_table = model::PoleTable::kOn;
@@ -82,8 +105,9 @@ v1::Quality toProto(const model::Quality& quality) {
     v1::Quality message;
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
     message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
-    message.set_intersection(quality.intersection == model::Intersection::kPolynomial ? v1::INTERSECTION_METHOD_POLYNOMIAL
-                                                                                      : v1::INTERSECTION_METHOD_MARCH);
+    message.set_intersection(toProto(quality.intersection));
+    // Settings are echoed where they had a say.
+    if (plan::drawsTensors(quality.intersection)) *message.mutable_tensor_march() = toProto(quality.tensor_march);
     switch (quality.traversal) {
         case model::Traversal::kAuto:
             break;

@@ -135,10 +135,17 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
     for (int i = 0; i < scene.layers_size(); ++i) {
         const v1::Layer& layer = scene.layers(i);
         const std::string layer_where = where + ".layers[" + std::to_string(i) + "]";
-        if (!layer.has_glyphs())
-            refuse(layer_where + ".glyphs is missing; it is the only kind of layer that this server draws");
+        if (!layer.has_glyphs() && !layer.has_tensor_glyphs())
+            refuse(layer_where +
+                   ": glyphs and tensor_glyphs are both missing; these are the kinds of layer that this server draws");
         model::Layer& added = result.layers.emplace_back();
-        added.glyphs = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
+        if (layer.has_tensor_glyphs()) {
+            const v1::TensorGlyphLayer& tensors = layer.tensor_glyphs();
+            added.glyphs = fromGlyphs(tensors.glyphs(), layer_where + ".tensor_glyphs.glyphs");
+            added.glyphs.tensor = fromProto(tensors.shape(), layer_where + ".tensor_glyphs.shape");
+        } else {
+            added.glyphs = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
+        }
         if (layer.has_opacity()) added.opacity = layer.opacity();
         if (layer.has_casts_shadows()) added.casts_shadows = layer.casts_shadows();
     }
@@ -153,7 +160,12 @@ v1::Scene toProto(const model::Scene& scene) {
     v1::Scene message;
     for (const model::Layer& layer : scene.layers) {
         v1::Layer* added = message.add_layers();
-        *added->mutable_glyphs() = toProto(layer.glyphs);
+        if (layer.glyphs.tensor) {
+            *added->mutable_tensor_glyphs()->mutable_glyphs() = toProto(layer.glyphs);
+            added->mutable_tensor_glyphs()->set_shape(toProto(*layer.glyphs.tensor));
+        } else {
+            *added->mutable_glyphs() = toProto(layer.glyphs);
+        }
         added->set_opacity(layer.opacity);
         added->set_casts_shadows(layer.casts_shadows);
     }

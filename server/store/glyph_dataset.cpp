@@ -32,6 +32,8 @@ GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::Sh
     info_.layout = image_.layout;
     info_.convention = image_.file_convention;
     info_.axes = image_.file_axes;
+    info_.tensor_order = image_.tensor_order;
+    info_.tensor_format = image_.tensor_format;
     info_.glyph_count = image_.voxels.size();
     info_.rejected_voxels = image_.rejected_voxels;
     datasetBounds(image_, info_.bounds_min, info_.bounds_max);
@@ -39,6 +41,11 @@ GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::Sh
     coefficients_ = gpu::Buffer(device, std::max<std::uint64_t>(bytes, 4), gpu::Memory::kDevice, "coefficients of " + id);
     if (bytes > 0) gpu::upload(device, coefficients_, 0, std::as_bytes(std::span(image_.coefficients)));
     info_.gpu_bytes = coefficients_.sizeBytes();
+    if (!image_.tensors.empty()) {
+        tensors_ = gpu::Buffer(device, std::span(image_.tensors).size_bytes(), gpu::Memory::kDevice, "tensors of " + id);
+        gpu::upload(device, tensors_, 0, std::as_bytes(std::span(image_.tensors)));
+        info_.gpu_bytes += tensors_.sizeBytes();
+    }
     // All bounds at once, for the amplitudes that scaling divides by: about 20 us a glyph at band 8 on two cores.
     std::vector<std::uint32_t> all(image_.voxels.size());
     std::iota(all.begin(), all.end(), 0U);

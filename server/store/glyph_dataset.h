@@ -26,6 +26,9 @@ public:
     /// float[glyphs][layout.count()], addressed by slot
     const gpu::Buffer& coefficients() const { return coefficients_; }
 
+    /// float[glyphs][symmetricCount(tensor_order)], addressed by slot; empty if this is no tensor image
+    const gpu::Buffer& tensors() const { return tensors_; }
+
     /// Certified bounds of some slots' glyphs with bands up to `lmax`, in units of amplitude; sampled by the device unless it
     /// is a CPU driver, on which our own threads are faster.
     std::vector<GlyphBounds> bounds(std::span<const std::uint32_t> slots, int lmax, bool negative_lobes) const;
@@ -38,7 +41,7 @@ private:
     gpu::Device& device_;
     model::ShImage image_;
     model::DatasetInfo info_;
-    gpu::Buffer coefficients_;
+    gpu::Buffer coefficients_, tensors_;
     mutable std::mutex mutex_;
     mutable std::map<std::pair<int, bool>, Cache> cache_;
 };

@@ -10,6 +10,7 @@
 #include "io/scalar_image.h"
 #include "io/sh_image.h"
 #include "io/stored_image.h"
+#include "io/tensor_image.h"
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
 
@@ -66,6 +67,7 @@ void checkId(const std::string& id) {
 struct Store::Impl {
     struct Slot {
         std::filesystem::path path;
+        std::optional<io::TensorOptions> tensors;  ///< the file holds tensors, whatever its header says
         std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
         std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these two, once it is loaded
         std::shared_ptr<const ScalarDataset> scalars;
@@ -95,12 +97,15 @@ struct Store::Impl {
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
         if (slot.dataset || slot.scalars) return;
-        if (kindOf(io::readStoredImage(slot.path)) == model::DatasetKind::kScalarVolume) {
+        const io::StoredImage stored = io::readStoredImage(slot.path);
+        if (!slot.tensors && kindOf(stored) == model::DatasetKind::kScalarVolume) {
             slot.scalars = std::make_shared<const ScalarDataset>(id, io::readScalarImage(slot.path));
             if (log) log(slot.scalars->image().source + ": a scalar volume");
             return;
         }
-        model::ShImage image = io::readShImage(slot.path, options);
+        const bool tensors = slot.tensors || stored.tensor;
+        model::ShImage image = tensors ? io::readTensorImage(slot.path, slot.tensors.value_or(io::TensorOptions{}))
+                                       : io::readShImage(slot.path, options);
         if (log) log(io::describe(image));
         slot.dataset = std::make_shared<const GlyphDataset>(device, id, std::move(image));
     }
@@ -110,7 +115,8 @@ Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(cons
     : impl_(new Impl{device, options, std::move(log), {}, {}}) {}
 Store::~Store() = default;
 
-std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file) {
+std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
+                                     const std::optional<io::TensorOptions>& tensors) {
     std::vector<std::filesystem::path> files;
     std::error_code failure;
     if (std::filesystem::is_directory(folder_or_file, failure)) {
@@ -135,6 +141,7 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         for (int n = 2; impl_->slots.contains(id); ++n) id = stem + "-" + std::to_string(n);
         auto slot = std::make_shared<Impl::Slot>();
         slot->path = file;
+        slot->tensors = tensors;
         impl_->slots[id] = std::move(slot);
         added.push_back({id, file});
     }
@@ -201,18 +208,23 @@ std::vector<model::DatasetInfo> Store::list() {
             try {
                 const io::StoredImage stored = io::readStoredImage(slot->path);
                 info.kind = kindOf(stored);
-                if (info.kind == model::DatasetKind::kScalarVolume) {
+                if (!slot->tensors && info.kind == model::DatasetKind::kScalarVolume) {
                     info.size = glm::ivec3(stored.size[0], stored.size[1], stored.size[2]);
                     info.voxel_to_world = stored.voxel_to_world;
                     infos.push_back(info);
                     continue;
                 }
-                const model::ShImage header = io::readShHeader(slot->path, impl_->options);
+                const bool tensors = slot->tensors || stored.tensor;
+                const model::ShImage header =
+                    tensors ? io::readTensorHeader(slot->path, slot->tensors.value_or(io::TensorOptions{}))
+                            : io::readShHeader(slot->path, impl_->options);
                 info.size = header.size;
                 info.voxel_to_world = header.voxel_to_world;
                 info.layout = header.layout;
                 info.convention = header.file_convention;
                 info.axes = header.file_axes;
+                info.tensor_order = header.tensor_order;
+                info.tensor_format = header.tensor_format;
             } catch (const Error&) {
                 // The list goes on; whoever asks for this dataset gets the reader's sentence.
             }

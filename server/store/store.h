@@ -6,11 +6,13 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gpu/fwd.h"
 #include "io/sh_options.h"
+#include "io/tensor_options.h"
 #include "model/dataset.h"
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
@@ -33,8 +35,10 @@ public:
     ~Store();
 
     /// Adds every readable image of a folder, or one file. Ids come from file names ("xa_fod8.nii.gz" -> "xa_fod8").
+    /// \param tensors  the files hold tensors in this format; without it those are tensors whose headers say so
     /// \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
-    std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file);
+    std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file,
+                                  const std::optional<io::TensorOptions>& tensors = {});
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
     void add(const std::string& id, model::ShImage image);
     void add(const std::string& id, model::ScalarImage image);

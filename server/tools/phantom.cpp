@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "build/phantom.h"
+#include "build/stiffness_field.h"
 #include "io/nifti_write.h"
 #include "io/sh_write.h"
 #include "math/sh_convention.h"
@@ -45,6 +46,23 @@ void writeBundles(const Phantom& phantom, const std::filesystem::path& path) {
     std::ofstream file(path);
     file << nlohmann::ordered_json{{"seed", phantom.options().seed}, {"bundles", list}}.dump(2) << '\n';
     if (!file.flush()) throw Error(Code::kUnavailable, path.string() + ": cannot be written");
+}
+
+/// 21 volumes, as the format voigt-stiffness has them (docs/formats/tensors.md).
+void makeStiffness(const radiata::StiffnessOptions& options, const Files& files) {
+    const radiata::StiffnessField field = radiata::stiffnessField(options);
+    radiata::io::Volume volume;
+    const std::size_t voxels = field.matrices.size();
+    volume.size = {field.size.x, field.size.y, field.size.z, 21};
+    volume.voxel_to_world = field.voxel_to_world;
+    volume.source = "stiffness";
+    volume.data.resize(voxels * 21);
+    for (std::size_t v = 0; v < voxels; ++v) {
+        for (std::size_t c = 0; c < 21; ++c) volume.data[c * voxels + v] = static_cast<float>(field.matrices[v][c]);
+    }
+    radiata::io::writeNifti(volume, files.image);
+    std::printf("%s: %d x %d x %d voxels, stiffness tensors of order 4 in GPa, voigt-stiffness, world axes, seed %llu\n",
+                files.image.c_str(), field.size.x, field.size.y, field.size.z, static_cast<unsigned long long>(options.seed));
 }
 
 /// Said before the work is done, not after.
@@ -81,17 +99,29 @@ int main(int argc, char** argv) {
     app.add_option("--seed", options.seed, "same seed, same bytes")->capture_default_str()->check(CLI::NonNegativeNumber);
     auto* size = app.add_option("--size", options.size, "voxels along the longest axis")->capture_default_str();
     auto* voxel = app.add_option("--voxel", options.voxel_mm, "edge of a voxel in mm, instead of --size")->excludes(size);
+    bool stiffness = false;
+    auto* brick = app.add_flag("--stiffness", stiffness,
+                               "write a brick of fibre-reinforced material instead: elasticity tensors of order 4, 21 volumes")
+                      ->excludes(voxel);
     app.add_option("--slice-dense", options.slice_glyphs, "one axial slice with at least so many glyphs")
         ->check(CLI::Range(1, 1000000))
         ->excludes(size)
-        ->excludes(voxel);
-    app.add_option("--lmax", options.lmax, "highest band, even, 0 to 16")->capture_default_str();
-    app.add_option("--noise", options.noise, "standard deviation added to each coefficient")->capture_default_str();
-    app.add_option("--labels", files.labels, "write the id of each voxel's strongest bundle, .nii or .nii.gz");
-    app.add_option("--bundles", files.bundles, "write ids and names of the bundles as JSON");
+        ->excludes(voxel)
+        ->excludes(brick);
+    app.add_option("--lmax", options.lmax, "highest band, even, 0 to 16")->capture_default_str()->excludes(brick);
+    app.add_option("--noise", options.noise, "standard deviation added to each coefficient")
+        ->capture_default_str()
+        ->excludes(brick);
+    app.add_option("--labels", files.labels, "write the id of each voxel's strongest bundle, .nii or .nii.gz")->excludes(brick);
+    app.add_option("--bundles", files.bundles, "write ids and names of the bundles as JSON")->excludes(brick);
     CLI11_PARSE(app, argc, argv);
     try {
-        make(options, files);
+        if (stiffness) {
+            checkNiftiName(files.image);
+            makeStiffness({options.seed, size->count() > 0 ? options.size : radiata::StiffnessOptions{}.size}, files);
+        } else {
+            make(options, files);
+        }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "radiata-phantom: %s\n", error.what());
         return 1;

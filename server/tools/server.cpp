@@ -33,6 +33,11 @@ void startDevice(Engine& engine, const ProgramOptions& options) {
     spdlog::info("device: {}, driver {}", engine.device->info().name, engine.device->info().driver);
     engine.store = std::make_unique<store::Store>(*engine.device, options.sh,
                                                   [](const std::string& sentence) { spdlog::info("{}", sentence); });
+    for (const auto& [how, path] : options.tensors) {
+        for (const auto& entry : engine.store->add(path, how)) {
+            spdlog::info("dataset {}: {}, tensors as {}", entry.id, entry.path.string(), io::name(*how.format));
+        }
+    }
     for (const std::filesystem::path& path : options.data) {
         for (const store::CatalogEntry& entry : engine.store->add(path))
             spdlog::info("dataset {}: {}", entry.id, entry.path.string());

@@ -46,8 +46,8 @@ void applyLimit(const std::string& text, model::Limits& limits) {
 
 /// What CLI11 fills in before it becomes options.
 struct Texts {
-    std::string convention, axes, traversal;
-    std::vector<std::string> limits;
+    std::string convention, axes, traversal, tensor_axes;
+    std::vector<std::string> limits, tensors;
 };
 
 void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
@@ -56,6 +56,12 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
                  "Let --listen name an address that other machines reach; there is no encryption or login here");
     app.add_option("--data", options.data,
                    "Folder of images, or one image; may be repeated. Images with one volume colour glyphs, the others are SH");
+    app.add_option(
+        "--tensors", texts.tensors,
+        "FORMAT=PATH of an image or folder of tensors; formats: mrtrix, dipy, fsl, voigt-stiffness, voigt-compliance, "
+        "mandel, symmetric, entries; may be repeated");
+    app.add_option("--tensor-axes", texts.tensor_axes,
+                   "Axes of the directions in tensor images, where not the format's: world, voxel");
     app.add_option("--device", options.device.device, "Vulkan device: its number in --list-devices, or a part of its name");
     app.add_flag("--list-devices", options.list_devices, "Print the Vulkan devices and end");
     app.add_option("--without", options.device.without, "Device feature to leave unused, e.g. ray_query; may be repeated");
@@ -87,6 +93,14 @@ void finish(ProgramOptions& options, const Texts& texts) {
     if (texts.traversal == "ray_query") options.traversal = model::Traversal::kRayQuery;
     if (texts.traversal == "bvh") options.traversal = model::Traversal::kBvh;
     if (texts.traversal == "tiles") options.traversal = model::Traversal::kTiles;
+    for (const std::string& text : texts.tensors) {
+        const std::size_t equals = text.find('=');
+        if (equals == std::string::npos) throw CLI::ValidationError("--tensors", "\"" + text + "\" is not FORMAT=PATH");
+        io::TensorOptions how;
+        how.format = io::tensorFormatFromName(text.substr(0, equals));
+        if (!texts.tensor_axes.empty()) how.axes = shAxesFromName(texts.tensor_axes);
+        options.tensors.emplace_back(how, text.substr(equals + 1));
+    }
     for (const std::string& limit : texts.limits) applyLimit(limit, options.settings.limits);
 }
 

@@ -4,10 +4,12 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gpu/device.h"
 #include "io/sh_options.h"
+#include "io/tensor_options.h"
 #include "service/server.h"
 #include "session/conductor.h"
 
@@ -19,6 +21,7 @@ struct ProgramOptions {
     gpu::DeviceOptions device;
     io::ShOptions sh;
     std::vector<std::filesystem::path> data;
+    std::vector<std::pair<io::TensorOptions, std::filesystem::path>> tensors;
     model::Traversal traversal = model::Traversal::kAuto;  ///< for requests that leave it open
     std::optional<int> stub_render_ms;
     bool list_devices = false;

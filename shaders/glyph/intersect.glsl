@@ -1,5 +1,6 @@
 // The nearest hit of a pixel's ray so far, and the test of one more glyph against it.
-// METHOD_POLYNOMIAL selects the solver of Peters et al. 2023 in place of the march.
+// METHOD_POLYNOMIAL selects the solver of Peters et al. 2023 in place of the march, METHOD_TENSOR the methods of Hlawitschka et al. on
+// Cartesian tensors, METHOD_ELLIPSOID ellipsoids.
 
 PixelRay ray;
 vec3 ray_inverse;
@@ -25,7 +26,12 @@ void instanceCircle(FrameParams frame, GlyphLayerParams layer, uint index, Glyph
     }
 }
 
-#ifdef METHOD_POLYNOMIAL
+#if defined METHOD_TENSOR
+#include "shaders/glyph/intersect_tensor.glsl"
+#elif defined METHOD_ELLIPSOID
+#include "shaders/glyph/intersect_ellipsoid.glsl"
+#elif defined METHOD_POLYNOMIAL
+layout(constant_id = 9) const bool kPolynomialStopOnBracket = false;
 float shEvaluate(vec3 direction) { return shEvaluate(glyph_coefficients, direction).x; }
 #include "polynomial.glsl"
 #include "shaders/common/polynomial_hit.glsl"

@@ -7,8 +7,8 @@
 #extension GL_EXT_ray_query : require
 #endif
 #include "shaders/glyph/layer.glsl"
-#include "shaders/glyph/intersect.glsl"
 #include "shaders/common/glyph_normal.glsl"
+#include "shaders/glyph/intersect.glsl"
 #include "shaders/shared/bvh.glsl"
 
 layout(buffer_reference, scalar) readonly buffer NodeBuffer { BvhNode at[]; };
@@ -119,8 +119,12 @@ void traverse(FrameParams frame, GlyphLayerParams layer, uvec2 pixel) {
 
 // Turned towards the viewer.
 vec3 hitNormal(GlyphLayerParams layer, uint index, vec3 p) {
+#if defined METHOD_TENSOR || defined METHOD_ELLIPSOID
+    const vec3 normal = methodNormal(layer, index, p);
+#else
     loadCoefficients(layer.coefficients, layer.stride, InstanceBuffer(layer.instances).at[index].slot);
     const vec3 normal = glyphNormal(shEvaluateGradient(glyph_coefficients, p), p);
+#endif
     return dot(normal, ray.direction) > 0.0 ? -normal : normal;
 }
 

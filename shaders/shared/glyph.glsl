@@ -33,8 +33,9 @@ struct GlyphLayerParams {
     uint both_lobes;  // negative lobes shown
     uint layer;
     uint pad0;
+    uint64_t tensors;  // of tensor layers: float[slots * components], or of ellipsoids float[count * 6]; or 0
 };
-STATIC_SIZE(GlyphLayerParams, 96);
+STATIC_SIZE(GlyphLayerParams, 104);
 
 SHADER_NAMESPACE_END
 #endif

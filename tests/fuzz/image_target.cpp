@@ -13,6 +13,7 @@
 #include "base/error.h"
 #include "io/sh_image.h"
 #include "io/stored_image.h"
+#include "io/tensor_image.h"
 #include "io/volume.h"
 
 namespace {
@@ -74,6 +75,17 @@ void readShImage(const std::filesystem::path& path, const radiata::io::ShOptions
     }
 }
 
+void readTensorImage(const std::filesystem::path& path, const radiata::io::TensorOptions& options) {
+    try {
+        const radiata::model::ShImage image = radiata::io::readTensorImage(path, options);
+        const auto n = static_cast<std::size_t>(image.tensor_order);
+        require(image.tensors.size() == image.voxels.size() * (n + 1) * (n + 2) / 2, "components for each voxel");
+        require(image.coefficients.size() == image.voxels.size() * image.layout.count(), "coefficients for each voxel");
+    } catch (const radiata::Error& error) {
+        require(error.code() != radiata::Code::kInternal, "no input is a bug of ours");
+    }
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -85,5 +97,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     readVolume(path);
     readShImage(path, {});
     readShImage(path, {radiata::ShConvention::kMrtrix02, radiata::ShAxes::kVoxel, true});
+    using radiata::io::TensorFormat;
+    for (const TensorFormat format :
+         {TensorFormat::kFsl, TensorFormat::kMandel, TensorFormat::kSymmetric, TensorFormat::kEntries}) {
+        readTensorImage(path, {format, {}});
+    }
+    readTensorImage(path, {});
     return 0;
 }

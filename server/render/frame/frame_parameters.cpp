@@ -53,6 +53,7 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
         params.used = glyphs.used;
         params.both_lobes = glyphs.both_lobes ? 1 : 0;
         params.layer = static_cast<std::uint32_t>(i);
+        params.tensors = scene.tensorAddress();
         LayerBuffers& buffers = target.layers[i];
         if (tiles) {
             const TileLists lists = buildTileLists(scene.instances(), frame.rays, target.width, target.height, kTileShiftX,

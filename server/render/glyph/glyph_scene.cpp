@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "build/bvh.h"
+#include "build/ellipsoid.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "math/two_floats.h"
@@ -58,6 +59,27 @@ GlyphScene::GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDa
     const std::uint64_t bytes = std::max<std::uint64_t>(instances_.size(), 1) * sizeof(shader::GlyphInstance);
     instance_buffer_ = gpu::Buffer(device_, bytes, gpu::Memory::kDevice, "glyph instances");
     if (!instances_.empty()) gpu::upload(device_, instance_buffer_, 0, std::as_bytes(std::span(instances_)));
+    if (!ellipsoids_.empty()) {
+        ellipsoid_buffer_ = gpu::Buffer(device_, std::span(ellipsoids_).size_bytes(), gpu::Memory::kDevice, "ellipsoids");
+        gpu::upload(device_, ellipsoid_buffer_, 0, std::as_bytes(std::span(ellipsoids_)));
+    }
+}
+
+std::uint64_t GlyphScene::tensorAddress() const {
+    if (ellipsoid_buffer_) return ellipsoid_buffer_.address();
+    return dataset_->tensors() ? dataset_->tensors().address() : 0;
+}
+
+std::vector<GlyphBounds> GlyphScene::ellipsoidBounds(const std::vector<std::uint32_t>& slots) {
+    const model::ShImage& image = dataset_->image();
+    if (image.tensor_order != 2) return std::vector<GlyphBounds>(slots.size());  // the plan refuses such a layer
+    std::vector<GlyphBounds> boxes;
+    for (const std::uint32_t slot : slots) {
+        const Ellipsoid ellipsoid = ellipsoidOf(std::span(image.tensors).subspan(std::size_t{slot} * 6, 6));
+        boxes.push_back({-ellipsoid.extent, ellipsoid.extent, ellipsoid.radius, ellipsoid.longest});
+        ellipsoids_.push_back(ellipsoid.inverse);
+    }
+    return boxes;
 }
 
 void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
@@ -65,7 +87,11 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
     const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
     const int limit = image.layout.full ? lmax : lmax - lmax % 2;
     const std::vector<std::uint32_t> slots = selectVoxels(image, layer.selection);
-    const std::vector<GlyphBounds> boxes = dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
+    const bool ellipsoids = layer.tensor == model::TensorShape::kEllipsoid;
+    const std::vector<GlyphBounds> boxes =
+        ellipsoids ? ellipsoidBounds(slots)
+                   : dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
+    std::vector<std::array<float, 6>> shown_ellipsoids;
     const double half_voxel = halfVoxel(image);
     bounds_.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
     bounds_.maximum = -bounds_.minimum;
@@ -87,10 +113,12 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
         glyph.box_max = boxes[i].max * mm;
         glyph.slot = slots[i];
         instances_.push_back(glyph);
+        if (ellipsoids) shown_ellipsoids.push_back(ellipsoids_[i]);
         largest_radius_ = std::max(largest_radius_, glyph.radius);
         bounds_.minimum = glm::min(bounds_.minimum, world + glm::dvec3(glyph.box_min));
         bounds_.maximum = glm::max(bounds_.maximum, world + glm::dvec3(glyph.box_max));
     }
+    ellipsoids_ = std::move(shown_ellipsoids);
     if (instances_.empty()) bounds_.minimum = bounds_.maximum = centre_mm_;
 }
 
@@ -153,6 +181,7 @@ const gpu::Buffer& GlyphScene::values(const std::shared_ptr<const store::ScalarD
 plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width, int height) const {
     plan::LayerFacts facts;
     facts.layout = dataset_->image().layout;
+    facts.tensor_order = dataset_->image().tensor_order;
     facts.glyphs = instances_.size();
     facts.glyphs_available = dataset_->image().voxels.size();
     const double typical = dataset_->info().amplitude_typical;

@@ -2,6 +2,7 @@
 // change.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -32,6 +33,10 @@ public:
     const gpu::Buffer& instanceBuffer() const { return instance_buffer_; }
     const plan::SceneBounds& bounds() const { return bounds_; }
 
+    /// What layer.tensors of the shaders points to: the components of each slot, or of ellipsoids D^-1 of each instance; 0
+    /// where there are no tensors.
+    std::uint64_t tensorAddress() const;
+
     /// Built when first wanted: a frame by tile lists needs neither.
     const gpu::BoxAcceleration& acceleration();
     const gpu::Buffer& bvhNodes();
@@ -45,6 +50,8 @@ public:
 
 private:
     void makeInstances(const model::GlyphLayer& layer);
+    /// The boxes of ellipsoids in place of those of the Reynolds glyphs; fills ellipsoids_.
+    std::vector<GlyphBounds> ellipsoidBounds(const std::vector<std::uint32_t>& slots);
     void buildHierarchy();
 
     gpu::Device& device_;
@@ -54,6 +61,8 @@ private:
     std::vector<shader::GlyphInstance> instances_;
     plan::SceneBounds bounds_;  ///< world
     float largest_radius_ = 0;
+    std::vector<std::array<float, 6>> ellipsoids_;  ///< by instance
+    gpu::Buffer ellipsoid_buffer_;
     gpu::Buffer instance_buffer_, bvh_nodes_, bvh_order_;
     gpu::BoxAcceleration acceleration_;
     std::shared_ptr<const store::ScalarDataset> values_of_;
