@@ -1,6 +1,6 @@
 // Ellipsoids of tensors of order 2: the customary glyph of diffusion tensors, whose half axes are the eigenvalues along the
 // eigenvectors. (The Reynolds glyph of the same tensor, x^T D x, is a peanut that touches this ellipsoid at the ends of the
-// axes.)
+// axes and lies outside of it elsewhere.)
 #pragma once
 
 #include <array>

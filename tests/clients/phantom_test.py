@@ -80,12 +80,21 @@ class PhantomTest(unittest.TestCase):
             self.assertTrue(bundle["name"])
             self.assertGreater(bundle["centre_lines"], 0)
 
+    def test_stiffness_is_a_field_of_21_volumes(self):
+        done = self.phantom(self.folder / "a.nii", "--stiffness", "--size", 8, "--seed", 2)
+        self.assertIn("voigt-stiffness", done.stdout)
+        dim, datatype, edge = header((self.folder / "a.nii").read_bytes())
+        self.assertEqual((dim[1:5], datatype, abs(edge)), ((8, 4, 4, 21), 16, 6))
+        self.phantom(self.folder / "b.nii", "--stiffness", "--size", 8, "--seed", 3)
+        self.assertNotEqual((self.folder / "a.nii").read_bytes(), (self.folder / "b.nii").read_bytes())
+
     def test_usage(self):
         out = self.folder / "a.nii"
         self.fails([], "output")
         for arguments, word in ((["--lmax"], "--lmax"), (["--sizes", 3], "--sizes"), (["--size", "many"], "--size"),
                                 (["--size", 9, "--voxel", 2], "--voxel"), (["--slice-dense", 0], "--slice-dense"),
-                                (["--slice-dense", 10, "--size", 9], "--slice-dense"), (["--seed", -1], "--seed")):
+                                (["--slice-dense", 10, "--size", 9], "--slice-dense"), (["--seed", -1], "--seed"),
+                                (["--stiffness", "--lmax", 4], "--stiffness"), (["--stiffness", "--voxel", 2], "--voxel")):
             with self.subTest(arguments=arguments):
                 self.fails([out] + arguments, word)
 
@@ -94,7 +103,7 @@ class PhantomTest(unittest.TestCase):
         for arguments, word in (([out, "--size", 0], "size"), ([out, "--size", 1025], "1025"), ([out, "--lmax", 3], "3"),
                                 ([out, "--lmax", 18], "18"), ([out, "--noise", 2], "noise"), ([out, "--noise", "nan"], "noise"),
                                 ([out, "--voxel", 0.01], "0.01"), ([out, "--size", 1024, "--lmax", 16], "MiB"),
-                                ([self.folder / "a.mif"], ".nii"), ([self.folder / "no" / "a.nii"], "no folder"),
+                                ([out, "--stiffness", "--size", 1], "2 to 256"), ([self.folder / "a.mif"], ".nii"), ([self.folder / "no" / "a.nii"], "no folder"),
                                 ([out, "--labels", self.folder / "l.txt"], "l.txt")):
             with self.subTest(arguments=arguments):
                 done = self.fails(arguments, word)

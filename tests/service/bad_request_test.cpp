@@ -65,6 +65,21 @@ std::vector<Case> cases() {
         {"slab without thickness", [](F& f) { glyphs(f)->mutable_selection()->mutable_slab(); }, kInvalid, "thickness_mm"},
         {"NaN factor", [](F& f) { glyphs(f)->mutable_scale()->set_factor(std::nanf("")); }, kInvalid, "factor"},
         {"lmax 17", [](F& f) { glyphs(f)->set_lmax(17); }, kInvalid, "lmax is 17"},
+        {"unknown tensor shape",
+         [](F& f) {
+             const v1::GlyphLayer kept = *glyphs(f);
+             auto* tensors = f.mutable_scene()->mutable_layers(0)->mutable_tensor_glyphs();
+             *tensors->mutable_glyphs() = kept;
+             tensors->set_shape(static_cast<v1::TensorShape>(7));
+         },
+         kInvalid, "tensor_glyphs.shape is 7"},
+        {"step 0", [](F& f) { f.mutable_quality()->mutable_tensor_march()->set_step(0); }, kInvalid, "tensor_march.step"},
+        {"NaN step", [](F& f) { f.mutable_quality()->mutable_tensor_march()->set_step(std::nanf("")); }, kInvalid,
+         "tensor_march.step"},
+        {"many bisections", [](F& f) { f.mutable_quality()->mutable_tensor_march()->set_bisections(4'000'000'000U); }, kInvalid,
+         "tensor_march.bisections"},
+        {"depth 17", [](F& f) { f.mutable_quality()->mutable_tensor_march()->set_depth(17); }, kInvalid,
+         "tensor_march.depth is 17"},
         {"opacity", [](F& f) { f.mutable_scene()->mutable_layers(0)->set_opacity(0); }, kInvalid, "opacity"},
         {"zero light", [](F& f) { f.mutable_scene()->mutable_light()->mutable_direction_camera(); }, kInvalid,
          "direction_camera"},

@@ -76,11 +76,18 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
                   annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, jpeg_quality=None,
                   light=None, irradiance=None, ambient=None, background=None, colour=None, colour_map=None, colour_range=None,
                   colour_image=None, light_world=None, shadow=None, light_radius_deg=None, shadow_rays=None,
-                  occlusion_rays=None, occlusion_radius_mm=None, casts_shadows=None, sun_table=None):
-    """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1."""
+                  occlusion_rays=None, occlusion_radius_mm=None, casts_shadows=None, sun_table=None, tensor_glyphs=None,
+                  tensor_march=None):
+    """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1.
+
+    tensor_glyphs ("reynolds" or "ellipsoid") makes the layer one of tensor glyphs; tensor_march is a dict of the fields of
+    quality.TensorMarch, such as {"step": 0.01, "bisections": 3}.
+    """
     request = frame_pb2.FrameRequest(width=size[0], height=size[1])
     layer = request.scene.layers.add()
-    glyphs = layer.glyphs
+    glyphs = layer.glyphs if tensor_glyphs is None else layer.tensor_glyphs.glyphs
+    if tensor_glyphs is not None:
+        layer.tensor_glyphs.shape = enum_value(scene_pb2.TensorShape, "TENSOR_SHAPE_", tensor_glyphs)
     glyphs.dataset_id = dataset
     glyphs.selection.CopyFrom(voxel_selection(plane, position_mm, normal, slab_mm, volume))
     glyphs.scale.mode = enum_value(scene_pb2.GlyphScale.Mode, "MODE_", scale)
@@ -89,6 +96,8 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
         glyphs.colour.CopyFrom(glyph_colour(colour, colour_map, colour_range, colour_image))
     quality = request.quality
     quality.intersection = enum_value(quality_pb2.IntersectionMethod, "INTERSECTION_METHOD_", intersection)
+    if tensor_march is not None:
+        quality.tensor_march.CopyFrom(quality_pb2.TensorMarch(**tensor_march))
     quality.traversal = enum_value(quality_pb2.Traversal, "TRAVERSAL_", traversal)
     quality.pole_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", pole_table)
     quality.sun_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", sun_table)

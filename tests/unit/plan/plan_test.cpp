@@ -232,6 +232,43 @@ TEST(PlanPasses, RunInOrderWithModulesThatExist) {
     }
 }
 
+TEST(PlanTensors, AreDrawnByTheirOwnModules) {
+    using model::Intersection;
+    for (const auto traversal : {model::Traversal::kRayQuery, model::Traversal::kBvh, model::Traversal::kTiles}) {
+        for (int order = 2; order <= 12; order += 2) {
+            LayerFacts layer = facts(order);
+            layer.tensor_order = order;
+            for (const auto method : {Intersection::kTensorMarch, Intersection::kTensorInterval, Intersection::kTensorAffine}) {
+                model::FrameRequest frame = request();
+                frame.quality.traversal = traversal;
+                frame.quality.intersection = method;
+                const FramePlan plan = planFrame(frame, {layer}, kAll);
+                const std::string kind = traversal == model::Traversal::kRayQuery ? "query" : "trace";
+                EXPECT_EQ(modules(plan).front(), "glyph_" + kind + "_tensor" + std::to_string(order));
+                EXPECT_FALSE(plan.uses_pole_table);
+                EXPECT_NO_THROW(shaders::module(modules(plan).front()));
+            }
+        }
+        LayerFacts layer = facts(2);
+        layer.tensor_order = 2;
+        model::FrameRequest frame = request();
+        frame.quality.traversal = traversal;
+        frame.scene.layers[0].glyphs.tensor = model::TensorShape::kEllipsoid;
+        EXPECT_NO_THROW(shaders::module(modules(planFrame(frame, {layer}, kAll)).front()));
+        // Through their bands where no tensor method was asked for.
+        frame.scene.layers[0].glyphs.tensor = model::TensorShape::kReynolds;
+        EXPECT_THAT(modules(planFrame(frame, {layer}, kAll)).back(), "resolve");
+        EXPECT_THAT(planFrame(frame, {layer}, kAll).glyphs[0].layout_name, "even2");
+    }
+    model::FrameRequest frame = request();
+    frame.quality.intersection = Intersection::kTensorMarch;
+    LayerFacts odd = facts(3, true);
+    odd.tensor_order = 3;
+    const Error error = refusal(frame, {odd});
+    EXPECT_EQ(error.code(), Code::kUnsupported);
+    EXPECT_THAT(error.what(), HasSubstr("tensor-march draws tensors of even order 2 to 12"));
+}
+
 TEST(PlanFrame, ResolvedRequestPlansToItself) {
     for (const auto& layers : {std::vector{withRays(100), withRays(0.5)}, std::vector{withRays(0.5), withRays(100)},
                                std::vector{withRays(100, true), withRays(100)}, std::vector{withRays(1), withRays(1)}}) {
