@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
     CLI::App app("Makes one kind of file from another.", "radiata-convert");
     app.require_subcommand(1);
     radiata::tools::addUncertaintyCommand(app);
+    radiata::tools::addTensorsCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

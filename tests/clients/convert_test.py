@@ -1,5 +1,6 @@
 """radiata-convert as a program: what it writes, what it refuses, with which exit codes."""
 
+import math
 import pathlib
 import struct
 import tempfile
@@ -70,6 +71,31 @@ class ConvertTest(unittest.TestCase):
             done = run("radiata-convert", *arguments, check=False)
             self.assertGreater(done.returncode, 0, arguments)
         self.assertIn("--deviation", run("radiata-convert", "uncertainty", "--help").stdout)
+
+    def test_tensors_become_the_bands_of_the_same_functions(self):
+        brick, out = self.folder / "brick.nii", self.folder / "sh.nii"
+        run("radiata-phantom", brick, "--stiffness", "--size", 6)
+        done = run("radiata-convert", "tensors", brick, out, "--format", "voigt-stiffness")
+        self.assertIn("tensors of order 4", done.stdout)
+        dim, upper = samples(brick)
+        sh_dim, bands = samples(out)
+        self.assertEqual((dim[4], sh_dim[4]), (21, 15))
+        at = {}
+        for row in range(6):
+            for column in range(row, 6):
+                at[row, column] = at[column, row] = len(set(at.values()))
+        for voxel in range(0, dim[1] * dim[2] * dim[3], 7):
+            m = {pair: upper[volume][voxel] for pair, volume in at.items()}
+            normal = sum(m[i, j] for i in range(3) for j in range(3))
+            shear = sum(m[i, i] for i in range(3)) + 2 * sum(m[i, i] for i in range(3, 6))
+            # The mean over all directions, C_iijj + 2 C_ijij over 15, is the constant band.
+            mean = (normal + 2 * shear) / 15
+            self.assertAlmostEqual(bands[0][voxel] / (4 * math.pi) ** 0.5, mean, delta=1e-5 * mean)
+        for arguments, word in (((brick, out), "nothing says which volume"), ((brick, out, "--format", "camino"), "camino"),
+                                ((brick, out, "--format", "dipy"), "21 volumes"), ((brick, brick, "--format", "mandel"), "same file")):
+            failed = run("radiata-convert", "tensors", *arguments, check=False)
+            self.assertEqual(failed.returncode, 1)
+            self.assertIn(word, failed.stderr)
 
 
 if __name__ == "__main__":
