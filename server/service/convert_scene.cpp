@@ -136,8 +136,7 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
         const v1::Layer& layer = scene.layers(i);
         const std::string layer_where = where + ".layers[" + std::to_string(i) + "]";
         if (!layer.has_glyphs() && !layer.has_tensor_glyphs())
-            refuse(layer_where +
-                   ": glyphs and tensor_glyphs are both missing; these are the kinds of layer that this server draws");
+            refuse(layer_where + ".glyphs is missing; a layer has glyphs or tensor_glyphs");
         model::Layer& added = result.layers.emplace_back();
         if (layer.has_tensor_glyphs()) {
             const v1::TensorGlyphLayer& tensors = layer.tensor_glyphs();
