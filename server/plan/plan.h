@@ -31,6 +31,7 @@ struct LayerFacts {
     double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
     bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
     double voxel_edge_mm = 0;             ///< the shortest
+    double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
 };
 
 /// How one glyph layer is drawn.
@@ -46,6 +47,7 @@ struct VisibilityPlan {
     model::Shadow shadow = model::Shadow::kNone;
     bool occlusion = false;
     bool sun_table = false;  ///< rays towards the light of hard shadows use a table per glyph
+    bool sun_tiles = false;  ///< and find boxes by lists along the light's direction, not by the hierarchy
     std::string sun_table_reason;
 };
 

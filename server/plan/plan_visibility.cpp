@@ -39,6 +39,11 @@ void planVisibility(FramePlan& plan, const std::vector<LayerFacts>& layers, cons
     visibility.occlusion = casters && scene.light.ambient > 0 && scene.light.ambient_occlusion.has_value();
     const bool shadow = visibility.shadow != model::Shadow::kNone;
     if (shadow) chooseSunTable(visibility, plan.resolved.quality.sun_table, rays_per_glyph);
+    double depth = 0;
+    for (const LayerFacts& layer : layers) depth = std::max(depth, layer.sun_depth);
+    // As the camera's own boxes: lists where they are short, so a frame's echo plans to the same.
+    visibility.sun_tiles = visibility.shadow == model::Shadow::kHard && abilities.tiles && depth <= kTileDepth &&
+                           plan.resolved.quality.traversal == model::Traversal::kTiles;
     plan.resolved.quality.sun_table = visibility.sun_table ? model::PoleTable::kOn : model::PoleTable::kOff;
     if (!shadow && !visibility.occlusion) return;
     if (!abilities.bvh) {

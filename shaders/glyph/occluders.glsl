@@ -1,5 +1,6 @@
 // Glyphs of a layer that may stand between a point and its light: a walk through the hierarchy by the cone or ball that all rays of the
-// point stay in, so that boxes are met once for all rays. Rays do not come from the camera, so lists per tile are of no use here.
+// point stay in, so that boxes are met once for all rays. Rays do not come from the camera, so its lists per tile are of no use here;
+// rays towards one light have lists of their own, by tiles of a plane across its direction (kSunTiles).
 // The includer says in kRays which rays they are.
 #include "shaders/shared/bvh.glsl"
 
@@ -40,6 +41,22 @@ struct BundleWalk {
 uvec2 walk_stack[BVH_DEPTH_MAX];
 
 BundleWalk beginWalk() { return BundleWalk(uvec2(0u, BVH_INNER), 0, true); }
+
+// Walks the list of the light's tile that a point is in: current is then the next entry and the end.
+// \param point  relative to the frame's reference point, mm; all glyphs and so all points lie within the tiles, up to rounding
+BundleWalk beginList(FrameParams frame, RangeBuffer ranges, vec3 point) {
+    const vec2 size = vec2(frame.sun_tiles_x, frame.sun_tiles_y);
+    const vec2 at = vec2(dot(point, frame.sun_right), -dot(point, frame.sun_up)) + 0.5 * size;
+    const uvec2 tile = uvec2(clamp(at, vec2(0.0), size - 1.0));
+    const uvec2 range = ranges.at[tile.y * frame.sun_tiles_x + tile.x];
+    return BundleWalk(uvec2(range.x, range.x + range.y), 0, range.y > 0u);
+}
+
+uint nextOfList(inout BundleWalk walk, UintBuffer entries) {
+    const uint found = entries.at[walk.current.x++];
+    walk.more = walk.current.x < walk.current.y;
+    return found;
+}
 
 // The next glyph whose leaf the bundle reaches, or 0xffffffff.
 uint nextOccluder(inout BundleWalk walk, RayBundle bundle, NodeBuffer nodes, UintBuffer order) {

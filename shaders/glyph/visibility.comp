@@ -15,6 +15,7 @@ layout(constant_id = 20) const uint kRays = 0u;
 layout(constant_id = 21) const bool kSunTable = false;    // hard: circles from the table for the light's direction
 layout(constant_id = 22) const bool kFirstCaster = true;  // no layer has written bits yet
 layout(constant_id = 23) const uint kRayCount = 1u;       // 1 to 32
+layout(constant_id = 24) const bool kSunTiles = false;     // hard: boxes from the lists along the light's direction
 #include "shaders/glyph/occluders.glsl"
 
 layout(buffer_reference, scalar) buffer BitBuffer { uint at[]; };
@@ -135,14 +136,16 @@ void main() {
     UintBuffer order = UintBuffer(layer.bvh_order);
     const uint own = surface.layer_and_steps >> 24u == layer.layer ? surface.who : 0xffffffffu;
 
-    BundleWalk walk = beginWalk();
+    BundleWalk walk;
+    if (kSunTiles) walk = beginList(frame, RangeBuffer(layer.sun_ranges), point);
+    else walk = beginWalk();
     while (walk.more && rays != 0u) {
         // First find, then march: so that the march is run together by as many invocations as have found something.
         uint found = 0xffffffffu, through = 0u;
         GlyphInstance instance;
         vec3 origin;
         while (walk.more && through == 0u) {
-            found = nextOccluder(walk, bundle, nodes, order);
+            found = kSunTiles ? nextOfList(walk, UintBuffer(layer.sun_lists)) : nextOccluder(walk, bundle, nodes, order);
             if (found != 0xffffffffu) {
                 instance = InstanceBuffer(layer.instances).at[found];
                 origin = point - instanceCentre(frame.rays, instance);

@@ -40,8 +40,12 @@ struct FrameParams {
     float light_sine;  // of the angular radius of the light of soft shadows
     float light_cosine;
     float occlusion_radius;  // mm
+    vec3 sun_right;          // tiles per mm across the light's direction, for lists of boxes along it; see sunTile
+    uint sun_tiles_x;
+    vec3 sun_up;
+    uint sun_tiles_y;
 };
-STATIC_SIZE(FrameParams, 172);
+STATIC_SIZE(FrameParams, 204);
 
 // One per pixel: what the layers share. 24 bytes.
 struct Surface {

@@ -27,15 +27,19 @@ struct GlyphLayerParams {
     uint64_t tile_lists;    // uint[tile_entries], or 0
     uint64_t tile_ranges;   // uvec2[tiles]: first entry, count
     uint64_t sun_tables;    // like tables, for rays towards the light, or 0
+    uint64_t sun_lists;     // like tile_lists and tile_ranges, for boxes along the light's direction, or 0
+    uint64_t sun_ranges;
+    uint64_t tensors;       // of tensor layers: float[slots * components], or of ellipsoids float[count * 6]; or 0
     uint count;
     uint stride;      // coefficients per slot
     uint used;        // coefficients that are drawn (band limit)
     uint both_lobes;  // negative lobes shown
     uint layer;
     uint pad0;
-    uint64_t tensors;  // of tensor layers: float[slots * components], or of ellipsoids float[count * 6]; or 0
+    uint pad1;  // to a multiple of 16, the alignment that a buffer reference promises
+    uint pad2;
 };
-STATIC_SIZE(GlyphLayerParams, 104);
+STATIC_SIZE(GlyphLayerParams, 128);
 
 SHADER_NAMESPACE_END
 #endif

@@ -105,6 +105,9 @@ struct Renderer::Impl {
                 facts[i].value_min = list.scalars[i]->info().value_min;
                 facts[i].value_max = list.scalars[i]->info().value_max;
             }
+            if (request.scene.light.shadow == model::Shadow::kHard) {
+                facts.back().sun_depth = list.layers[i]->depthAlong(list.light_direction_world);
+            }
             info.glyphs += facts.back().glyphs;
             info.glyphs_available += facts.back().glyphs_available;
         }

@@ -18,7 +18,8 @@ struct Counters {
 
 /// Tile lists and pole-frame table of one layer, for the camera of the latest first sample.
 struct LayerBuffers {
-    gpu::Buffer tile_ranges, tile_entries, table, sun_table;
+    gpu::Buffer tile_ranges, tile_entries, table;
+    gpu::Buffer sun_ranges, sun_entries, sun_table;  ///< the same along the light's direction
 };
 
 struct Target::Impl {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "render/frame/sun_tiles.h"
 
 namespace radiata::render {
 namespace {
@@ -59,8 +60,17 @@ void fillVisibilityParameters(gpu::Device& device, Target::Impl& target, const D
             ensureBytes(device, buffer, params.count * entries * 4, gpu::Memory::kDevice, "sun tables");
             params.sun_tables = buffer.address();
         }
-        params.bvh_nodes = scene.bvhNodes().address();
-        params.bvh_order = scene.bvhOrder().address();
+        if (shadow && list.plan->visibility.sun_tiles) {
+            const SunTiles tiles = sunTiles(list);
+            frame.sun_right = tiles.right;
+            frame.sun_up = tiles.up;
+            frame.sun_tiles_x = static_cast<std::uint32_t>(tiles.x);
+            frame.sun_tiles_y = static_cast<std::uint32_t>(tiles.y);
+            listSunBoxes(device, target.layers[layer], params, scene, tiles);
+        } else if (shadow || occlusion) {
+            params.bvh_nodes = scene.bvhNodes().address();
+            params.bvh_order = scene.bvhOrder().address();
+        }
     }
 }
 
@@ -102,6 +112,7 @@ void runVisibility(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
     constants.push_back(hard && plan.visibility.sun_table && !empty ? 1U : 0U);
     constants.push_back(firstOfItsKind(plan, pass) ? 1U : 0U);
     constants.push_back(hard ? 1U : static_cast<std::uint32_t>(occlusion ? light.ambient_occlusion->rays : light.shadow_rays));
+    constants.push_back(hard && plan.visibility.sun_tiles ? 1U : 0U);
     const gpu::Buffer& bits = occlusion ? run.target.occlusion_bits : run.target.shadow_bits;
     run.dispatchBands(run.pipelines.get(pass.shader, constants), pass.name,
                       VisibilityPush{run.frameAddress(), run.layerAddress(layer), run.target.surface.address(),

@@ -178,6 +178,17 @@ const gpu::Buffer& GlyphScene::values(const std::shared_ptr<const store::ScalarD
     return values_;
 }
 
+double GlyphScene::depthAlong(const glm::dvec3& direction) const {
+    // A box's outline across a direction has the area of its faces weighted by the direction's cosines.
+    const glm::dvec3 cosines = glm::abs(direction);
+    const auto outline = [&cosines](const glm::dvec3& size) {
+        return glm::dot(cosines, glm::dvec3(size.y * size.z, size.z * size.x, size.x * size.y));
+    };
+    double area = 0;
+    for (const shader::GlyphInstance& glyph : instances_) area += outline(glm::dvec3(glyph.box_max - glyph.box_min));
+    return area / std::max(outline(bounds_.maximum - bounds_.minimum), 1e-30);
+}
+
 plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width, int height) const {
     plan::LayerFacts facts;
     facts.layout = dataset_->image().layout;

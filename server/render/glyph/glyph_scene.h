@@ -46,6 +46,8 @@ public:
     /// asked for last is kept. \throws as store::voxelMap()
     const gpu::Buffer& values(const std::shared_ptr<const store::ScalarDataset>& scalars);
 
+    /// Glyph boxes along a ray in this direction, estimated over the layer's outline. \param direction  unit, world
+    double depthAlong(const glm::dvec3& direction) const;
     plan::LayerFacts facts(const plan::RebasedCamera& camera, int width, int height) const;
 
 private:

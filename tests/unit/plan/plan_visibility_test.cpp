@@ -83,6 +83,23 @@ TEST(PlanVisibility, ChoosesTheSunTableByRaysPerGlyphAndSaysSo) {
     EXPECT_FALSE(planFrame(frame, facts(1, 100), kAll).visibility.sun_table);
 }
 
+TEST(PlanVisibility, ListsBoxesAlongTheLightWhereTheListsAreShort) {
+    model::FrameRequest frame = request();
+    frame.scene.light.shadow = model::Shadow::kHard;
+    frame.quality.traversal = model::Traversal::kTiles;
+    std::vector<LayerFacts> layers = facts();
+    layers[0].sun_depth = kTileDepth;
+    EXPECT_TRUE(planFrame(frame, layers, kAll).visibility.sun_tiles);
+    layers[0].sun_depth = kTileDepth + 0.1;
+    EXPECT_FALSE(planFrame(frame, layers, kAll).visibility.sun_tiles);
+    layers[0].sun_depth = 1;
+    frame.quality.traversal = model::Traversal::kBvh;
+    EXPECT_FALSE(planFrame(frame, layers, kAll).visibility.sun_tiles);
+    frame.quality.traversal = model::Traversal::kTiles;
+    frame.scene.light.shadow = model::Shadow::kSoft;
+    EXPECT_FALSE(planFrame(frame, layers, kAll).visibility.sun_tiles);
+}
+
 TEST(PlanVisibility, FillsInTheReachOfAmbientOcclusionAndPlansTheSameAgain) {
     model::FrameRequest frame = request();
     frame.scene.light.shadow = model::Shadow::kHard;
