@@ -14,4 +14,7 @@ void addRenderCommand(CLI::App& app, const ConnectionOptions& connection);
 /// orbit: numbered pictures of a turn, or of a camera path.
 void addOrbitCommand(CLI::App& app, const ConnectionOptions& connection);
 
+/// pick: what lies under a pixel.
+void addPickCommand(CLI::App& app, const ConnectionOptions& connection);
+
 }  // namespace radiata::client

@@ -18,6 +18,7 @@ int body(int argc, char** argv) {
     radiata::client::addCatalogCommands(app, connection);
     radiata::client::addRenderCommand(app, connection);
     radiata::client::addOrbitCommand(app, connection);
+    radiata::client::addPickCommand(app, connection);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& help) {

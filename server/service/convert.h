@@ -5,9 +5,11 @@
 #include "model/dataset.h"
 #include "model/frame.h"
 #include "model/limits.h"
+#include "model/pick.h"
 #include "radiata/v1/catalog.pb.h"
 #include "radiata/v1/frame.pb.h"
 #include "radiata/v1/limits.pb.h"
+#include "radiata/v1/pick.pb.h"
 #include "radiata/v1/quality.pb.h"
 #include "radiata/v1/render.pb.h"
 #include "radiata/v1/view.pb.h"
@@ -45,6 +47,7 @@ v1::TensorShape toProto(model::TensorShape shape);
 v1::FrameRequest toProto(const model::FrameRequest& request);
 v1::Dataset toProto(const model::DatasetInfo& info);
 v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backend& backend);
+v1::PickResponse toProto(const model::PickedGlyph& picked);
 v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs);
 
 }  // namespace radiata::service

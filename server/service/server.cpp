@@ -36,12 +36,18 @@ bool isLoopback(const std::string& listen) {
 
 struct Server::Services {
     Worker worker;
+    ViewIds ids;
     ViewService view;
     RenderService render;
+    PickService pick;
     CatalogService catalog;
     LimitsService limits;
     explicit Services(session::Conductor& conductor)
-        : view(conductor, worker), render(conductor), catalog(conductor, worker), limits(conductor) {}
+        : view(conductor, worker, ids),
+          render(conductor),
+          pick(conductor, worker, ids),
+          catalog(conductor, worker),
+          limits(conductor) {}
 };
 
 Server::Server(session::Conductor& conductor, const ServerOptions& options)
@@ -58,6 +64,7 @@ Server::Server(session::Conductor& conductor, const ServerOptions& options)
     addLimits(builder, conductor.limits(), options.memory_max);
     builder.RegisterService(&services_->view);
     builder.RegisterService(&services_->render);
+    builder.RegisterService(&services_->pick);
     builder.RegisterService(&services_->catalog);
     builder.RegisterService(&services_->limits);
     if (!options.listen.empty()) builder.AddListeningPort(options.listen, grpc::InsecureServerCredentials(), &port_);

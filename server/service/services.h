@@ -1,10 +1,11 @@
-// The four services of the contract. They parse, convert and answer; sessions do the work.
+// The five services of the contract. They parse, convert and answer; sessions do the work.
 #pragma once
 
 #include <memory>
 
 #include "radiata/v1/catalog.grpc.pb.h"
 #include "radiata/v1/limits.grpc.pb.h"
+#include "radiata/v1/pick.grpc.pb.h"
 #include "radiata/v1/render.grpc.pb.h"
 #include "radiata/v1/view.grpc.pb.h"
 #include "service/view_ids.h"
@@ -19,14 +20,15 @@ using Context = grpc::CallbackServerContext;
 class ViewService final : public v1::ViewService::WithRawCallbackMethod_Open<
                               v1::ViewService::WithRawCallbackMethod_Update<v1::ViewService::Service>> {
 public:
-    ViewService(session::Conductor& conductor, Worker& worker) : conductor_(conductor), worker_(worker) {}
+    ViewService(session::Conductor& conductor, Worker& worker, ViewIds& ids)
+        : conductor_(conductor), worker_(worker), ids_(ids) {}
     grpc::ServerWriteReactor<Bytes>* Open(Context* context, const Bytes* request) override;
     grpc::ServerUnaryReactor* Update(Context* context, const Bytes* request, Bytes* response) override;
 
 private:
     session::Conductor& conductor_;
     Worker& worker_;
-    ViewIds ids_;
+    ViewIds& ids_;
 };
 
 class RenderService final : public v1::RenderService::WithRawCallbackMethod_Render<v1::RenderService::Service> {
@@ -36,6 +38,18 @@ public:
 
 private:
     session::Conductor& conductor_;
+};
+
+class PickService final : public v1::PickService::WithRawCallbackMethod_Pick<v1::PickService::Service> {
+public:
+    PickService(session::Conductor& conductor, Worker& worker, const ViewIds& ids)
+        : conductor_(conductor), worker_(worker), ids_(ids) {}
+    grpc::ServerUnaryReactor* Pick(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    session::Conductor& conductor_;
+    Worker& worker_;
+    const ViewIds& ids_;
 };
 
 class CatalogService final

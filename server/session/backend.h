@@ -4,11 +4,13 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "model/dataset.h"
 #include "model/frame.h"
+#include "model/pick.h"
 
 namespace radiata::session {
 
@@ -25,6 +27,9 @@ struct Backend {
     std::function<model::Camera(const std::string& dataset_id, const model::VoxelSelection& selection,
                                 model::Convention convention, double aspect)>
         fit_camera;
+
+    /// What the ray through a pixel's centre hits, without its peaks; nothing if it hits nothing.
+    std::function<std::optional<model::PickedGlyph>(const model::FrameRequest& request, int x, int y)> pick;
 
     // Called by any thread.
     std::function<std::vector<model::DatasetInfo>()> list;

@@ -75,6 +75,13 @@ std::optional<StreamFrame> Conductor::take(std::uint64_t id) {
     return found->second->view.take(Clock::now());
 }
 
+model::FrameRequest Conductor::requestOf(std::uint64_t id, std::uint64_t sequence) {
+    std::lock_guard lock(mutex_);
+    const auto found = views_.find(id);
+    if (found == views_.end()) throw Error(Code::kNotFound, "the view is closed");
+    return found->second->view.requestOf(sequence);
+}
+
 void Conductor::close(std::uint64_t id) {
     std::lock_guard lock(mutex_);
     if (views_.erase(id) == 0) return;

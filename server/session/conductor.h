@@ -49,6 +49,8 @@ public:
     void update(std::uint64_t view, const Change& change);
     /// The view's newest frame that was not taken yet.
     std::optional<StreamFrame> take(std::uint64_t view);
+    /// What a frame of the view was drawn from. \throws Error(kNotFound) if the view is gone, or as View::requestOf()
+    model::FrameRequest requestOf(std::uint64_t view, std::uint64_t sequence);
     /// Cancels what is drawn for it. Nothing if it is gone already.
     void close(std::uint64_t view);
 

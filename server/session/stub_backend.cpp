@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "base/error.h"
+#include "math/sh_evaluate.h"
 #include "math/sh_layout.h"
 
 namespace radiata::session {
@@ -89,6 +90,24 @@ model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameReque
     return frame;
 }
 
+/// The left half of the picture is one glyph with two lobes along y; the right half is empty.
+std::optional<model::PickedGlyph> pick(const model::FrameRequest& request, int x, int y) {
+    const std::string& id = request.scene.layers[0].glyphs.dataset_id;
+    const model::DatasetInfo info = lookUp(id);
+    if (2 * x >= request.width) return std::nullopt;
+    model::PickedGlyph glyph;
+    glyph.dataset_id = id;
+    glyph.voxel = {x, y, 0};
+    glyph.centre_mm = glm::dvec3(info.voxel_to_world * glm::dvec4(glm::dvec3(glyph.voxel), 1.0));
+    glyph.direction = {0, 0.6, 0.8};
+    glyph.layout = ShLayout{2, false};
+    glyph.coefficients = {1, 0, 0, 0, 0, -0.5F};  // f = 0.282 - 0.273 (x^2 - y^2)
+    glyph.amplitude = evaluateSh(glyph.layout, glyph.coefficients, glyph.direction);
+    glyph.radius_mm = 2 * glyph.amplitude;
+    glyph.position_mm = glyph.centre_mm + glyph.radius_mm * glyph.direction;
+    return glyph;
+}
+
 model::Camera fit(const std::string& id, const model::VoxelSelection& selection, model::Convention convention, double aspect) {
     const model::DatasetInfo info = lookUp(id);
     const double distance = 4 * kHalfSide_mm;
@@ -115,6 +134,7 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
     };
     backend.release = [](std::uint64_t) {};
     backend.fit_camera = fit;
+    backend.pick = pick;
     backend.list = [] { return std::vector<model::DatasetInfo>{dataset()}; };
     backend.info = lookUp;
     backend.device = "stub";

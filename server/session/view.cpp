@@ -144,12 +144,28 @@ bool View::offer(StreamFrame frame, const Step& step) {
     return true;
 }
 
+const model::FrameRequest& View::requestOf(std::uint64_t sequence) const {
+    if (sequence == 0 || sequence > sent_) {
+        throw Error(Code::kNotFound, "frame " + std::to_string(sequence) + " was never sent; the newest of this view is " +
+                                         std::to_string(sent_));
+    }
+    const std::uint64_t age = sent_ - sequence;
+    if (age >= sent_requests_.size()) {
+        throw Error(Code::kNotFound, "frame " + std::to_string(sequence) + " is too old: this view has sent " +
+                                         std::to_string(sent_) + " and the last " + std::to_string(kFramesKept) +
+                                         " are known; pick on the picture that is shown");
+    }
+    return sent_requests_[sent_requests_.size() - 1 - static_cast<std::size_t>(age)];
+}
+
 std::optional<StreamFrame> View::take(Clock::time_point now) {
     if (!ready_) return std::nullopt;
     std::optional<StreamFrame> frame = std::move(ready_);
     ready_.reset();
     --pending_;
     frame->sequence = ++sent_;
+    sent_requests_.push_back(frame->info.request);
+    if (sent_requests_.size() > kFramesKept) sent_requests_.pop_front();
     frame->timing.total_ms = std::chrono::duration<double, std::milli>(now - ready_arrival_).count();
     frame->echo_request = !echoed_ || !sameEcho(*echoed_, frame->info.request);
     if (frame->echo_request) echoed_ = frame->info.request;

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <deque>
 #include <optional>
 
 #include "session/change.h"
@@ -57,6 +58,11 @@ public:
     /// The newest frame that has not gone yet.
     std::optional<StreamFrame> take(Clock::time_point now);
 
+    /// What a frame that was sent was drawn from; the last kFramesKept are known.
+    /// \throws Error(kNotFound) for an older one, or one that was never sent
+    const model::FrameRequest& requestOf(std::uint64_t sequence) const;
+    static constexpr std::size_t kFramesKept = 64;
+
     /// Frames drawn or sent that the client has not acknowledged.
     int underWay() const;
     bool interactivePending() const { return revision_ != shown_revision_; }
@@ -87,6 +93,7 @@ private:
     int pending_ = 0;  ///< pictures between the start of their step and their hand-over
     std::uint64_t offered_ordinal_ = 0;
     std::uint64_t sent_ = 0;
+    std::deque<model::FrameRequest> sent_requests_;  ///< of the newest frames, the last one that of sent_
     std::uint64_t acknowledged_ = 0;
     std::optional<StreamFrame> ready_;
     Clock::time_point ready_arrival_;

@@ -7,7 +7,8 @@ import grpc
 from .errors import Unreachable, translated
 from .frame import Frame
 from .request import enum_value, frame_request, voxel_selection
-from .v1 import catalog_pb2, catalog_pb2_grpc, frame_pb2, limits_pb2, limits_pb2_grpc, render_pb2, render_pb2_grpc, scene_pb2
+from .v1 import (catalog_pb2, catalog_pb2_grpc, frame_pb2, limits_pb2, limits_pb2_grpc, pick_pb2, pick_pb2_grpc, render_pb2,
+                 render_pb2_grpc, scene_pb2)
 from .view import View
 
 # The answer of grpc.health.v1.Health/Check that says SERVING; written out, so that no further package is needed.
@@ -28,6 +29,7 @@ class Client:
                                                                 ("grpc.max_reconnect_backoff_ms", 500)])
         self._catalog = catalog_pb2_grpc.CatalogServiceStub(self._channel)
         self._render = render_pb2_grpc.RenderServiceStub(self._channel)
+        self._pick = pick_pb2_grpc.PickServiceStub(self._channel)
         self._limits = limits_pb2_grpc.LimitsServiceStub(self._channel)
         self._health = self._channel.unary_unary("/grpc.health.v1.Health/Check")
 
@@ -88,6 +90,11 @@ class Client:
         request.format = enum_value(frame_pb2.ImageFormat, "IMAGE_FORMAT_", image_format)
         request.outputs.extend(enum_value(frame_pb2.Output, "OUTPUT_", name) for name in outputs)
         return Frame(self._call(self._render.Render, request).frame)
+
+    def pick(self, dataset, x, y, **options):
+        """What lies under a pixel of the picture that render makes with the same options, as a PickedGlyph message; None: nothing."""
+        answer = self._call(self._pick.Pick, pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y))
+        return answer.glyph if answer.HasField("glyph") else None
 
     def stream(self, dataset, *, window=None, **options):
         """A live View of a scene: iterate over it for frames, which are acknowledged by themselves."""

@@ -8,7 +8,7 @@ import grpc
 from .errors import translated
 from .frame import Frame
 from .request import as_camera
-from .v1 import view_pb2, view_pb2_grpc
+from .v1 import pick_pb2, pick_pb2_grpc, view_pb2, view_pb2_grpc
 
 
 class View:
@@ -20,6 +20,7 @@ class View:
 
     def __init__(self, channel, request, window=None, timeout=600):
         self._stub = view_pb2_grpc.ViewServiceStub(channel)
+        self._pick = pick_pb2_grpc.PickServiceStub(channel)
         self._timeout = timeout
         self._lock = threading.Lock()
         self._camera_sequence = 0
@@ -76,6 +77,16 @@ class View:
         except grpc.RpcError as error:
             raise translated(error) from None
         return request.camera_sequence
+
+    def pick(self, frame, x, y):
+        """What lies under a pixel of a frame of this view, as a PickedGlyph message; None: nothing. The last 64 frames are known."""
+        request = pick_pb2.PickRequest(x=x, y=y)
+        request.view.view_id, request.view.sequence = self.id, frame.message.sequence
+        try:
+            answer = self._pick.Pick(request, timeout=self._timeout)
+        except grpc.RpcError as error:
+            raise translated(error) from None
+        return answer.glyph if answer.HasField("glyph") else None
 
     def close(self):
         """Ends the view on the server too."""

@@ -6,11 +6,12 @@ import { type Camera, cameraFrame, fromMessage, toMessage } from "./camera/camer
 import { orbit, pan, shift, zoom } from "./camera/moves";
 import { Controls } from "./controls";
 import { cameraJson, expose, requestJson, type ShownFrame, shownFrame } from "./debug";
-import { type Dataset } from "./generated/radiata/v1/catalog_pb";
+import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
 import { type Frame, type FrameRequestSchema, ImageFormat } from "./generated/radiata/v1/frame_pb";
 import { type KeyMoves, listenToKeys } from "./input/keys";
 import { listenToPointers } from "./input/pointer";
 import { subtract } from "./math/vector";
+import { type PickPanel } from "./pick/panel";
 import { Decoder, decodeBitmap } from "./picture/decoder";
 import { type PixelLimits, Screen, fit } from "./picture/screen";
 import { adapt, defaultSettings, needsNewCamera, scene, selection, type Settings } from "./scene/settings";
@@ -43,11 +44,13 @@ export class App {
   /** Cameras by the number of the change that carried them, from the one on the screen onwards. */
   private cameras = new Map<bigint, Camera>();
   private fitting = 0;
+  private picking = 0;
 
   constructor(
     private readonly services: Services,
     private readonly status: StatusLine,
     canvas: HTMLCanvasElement,
+    private readonly picked: PickPanel,
   ) {
     this.screen = new Screen(canvas, () => this.connection.change({ ...this.pixels(), clientTimeMs: performance.now() }));
     this.controls = new Controls((settings) => void this.choose(settings));
@@ -68,6 +71,7 @@ export class App {
       orbit: (azimuth, elevation) => this.move((camera) => orbit(camera, azimuth, elevation)),
       pan: (right, down) => this.move((camera) => pan(camera, right, down)),
       zoom: (factor, x, y) => this.move((camera) => zoom(camera, factor, x, y)),
+      pick: (x, y) => void this.pick(x, y),
       slice: (step) => this.controls.step(step),
       reset: () => void this.refit(),
     };
@@ -115,7 +119,8 @@ export class App {
   /** The first dataset that can be read. */
   private async first(signal: AbortSignal): Promise<Dataset> {
     let failure: unknown = new ConnectError("The server has no datasets to show.", Code.Unavailable);
-    for (const { id } of this.datasets) {
+    for (const { id, kind } of this.datasets) {
+      if (kind === DatasetKind.SCALAR_VOLUME) continue;
       try {
         return await this.details(id, signal);
       } catch (error) {
@@ -139,6 +144,28 @@ export class App {
     if (!dataset || !this.settings || !this.camera) throw new ConnectError("There is nothing to show yet.", Code.Unavailable);
     this.cameras = new Map([[0n, this.camera]]);
     return { scene: scene(this.settings, dataset), camera: toMessage(this.camera), ...this.pixels() };
+  }
+
+  /** Asks what lies at a point of the frame on the screen; offsets from its middle in picture heights. */
+  private async pick(right: number, down: number): Promise<void> {
+    const frame = this.shown;
+    const viewId = this.connection.viewId;
+    if (!frame || viewId === "" || frame.connection !== this.connections) return;
+    // The element shows the whole picture, stretched while it has another size than the window.
+    const { width, height } = this.screen.size;
+    const x = Math.floor((right * (height / width) + 0.5) * frame.width);
+    const y = Math.floor((down + 0.5) * frame.height);
+    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return;
+    const mine = ++this.picking;
+    try {
+      const answer = await this.services.pick.pick(
+        { frame: { case: "view", value: { viewId, sequence: BigInt(frame.sequence) } }, x, y },
+        { timeoutMs: kCallTimeoutMs },
+      );
+      if (mine === this.picking) this.picked.show(answer.glyph ?? null);
+    } catch (error) {
+      if (mine === this.picking) this.status.message(sentence(error));
+    }
   }
 
   private move(change: (camera: Camera) => Camera): void {

@@ -1,11 +1,18 @@
 // The controls of the page: plain selects and inputs of index.html, and the settings that they show and change.
-import { type Dataset } from "./generated/radiata/v1/catalog_pb";
-import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
-import { type Region, type Settings, adapt } from "./scene/settings";
+import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
+import { Annotations_Convention as Convention, ColourMap, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
+import { type Region, type Settings, adapt, colourChoices, isMapped } from "./scene/settings";
 import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
 
 const kPlanes: Record<string, AnatomicalPlane> = { axial: Plane.AXIAL, coronal: Plane.CORONAL, sagittal: Plane.SAGITTAL };
 const kScales: Record<string, ScaleMode> = { global: ScaleMode.GLOBAL, glyph: ScaleMode.PER_GLYPH };
+const kMaps: Record<string, ColourMap> = {
+  viridis: ColourMap.VIRIDIS,
+  inferno: ColourMap.INFERNO,
+  cividis: ColourMap.CIVIDIS,
+  "black-red-yellow": ColourMap.BLACK_RED_YELLOW,
+  grey: ColourMap.GREY,
+};
 const kConventions: Record<string, Convention> = {
   radiological: Convention.RADIOLOGICAL,
   neurological: Convention.NEUROLOGICAL,
@@ -42,6 +49,8 @@ export class Controls {
   private readonly scale = element("scale", HTMLSelectElement);
   private readonly factor = element("factor", HTMLInputElement);
   private readonly lmax = element("lmax", HTMLSelectElement);
+  private readonly colour = element("colour", HTMLSelectElement);
+  private readonly colourMap = element("colour-map", HTMLSelectElement);
   private readonly negative = element("negative", HTMLInputElement);
   private readonly convention = element("convention", HTMLSelectElement);
   private datasets: readonly Dataset[] = [];
@@ -68,6 +77,8 @@ export class Controls {
     on(this.scale, (s) => ({ ...s, scaleMode: kScales[this.scale.value] ?? s.scaleMode }));
     on(this.factor, (s) => ({ ...s, scaleFactor: positive(this.factor, s.scaleFactor) }));
     on(this.lmax, (s) => ({ ...s, lmax: this.lmax.value === "" ? null : Number(this.lmax.value) }));
+    on(this.colour, (s) => ({ ...s, colour: this.colour.value }));
+    on(this.colourMap, (s) => ({ ...s, colourMap: kMaps[this.colourMap.value] ?? s.colourMap }));
     on(this.negative, (s) => ({ ...s, negativeLobes: this.negative.checked }));
     on(this.convention, (s) => ({ ...s, convention: kConventions[this.convention.value] ?? s.convention }));
   }
@@ -87,7 +98,12 @@ export class Controls {
     this.settings = settings;
     const dataset = this.current(settings);
     if (!dataset) return;
-    options(this.dataset, datasets.map(({ id }) => [id, id] as const), settings.datasetId);
+    const shown = datasets.filter(({ kind }) => kind !== DatasetKind.SCALAR_VOLUME);
+    options(this.dataset, shown.map(({ id }) => [id, id] as const), settings.datasetId);
+    const colours = colourChoices(dataset, datasets);
+    options(this.colour, colours.map((colour) => [colour, colour.replace("scalar:", "")] as const), settings.colour);
+    this.colourMap.value = nameOf(kMaps, settings.colourMap);
+    document.body.dataset.mapped = String(isMapped(settings.colour));
     this.region.value = settings.region;
     this.plane.value = nameOf(kPlanes, settings.plane);
     const range = sliceRange(dataset, settings.plane);

@@ -1,6 +1,7 @@
 // Starts the page.
 import "./style.css";
 import { App } from "./app";
+import { PickPanel } from "./pick/panel";
 import { connectServices } from "./service";
 import { StatusLine } from "./status/line";
 
@@ -18,7 +19,8 @@ const status = new StatusLine({
   connection: find("status-connection", HTMLElement),
   message: find("message", HTMLElement),
 });
-const app = new App(connectServices(globalThis.location.origin), status, find("picture", HTMLCanvasElement));
+const picked = new PickPanel(find("picked", HTMLElement));
+const app = new App(connectServices(globalThis.location.origin), status, find("picture", HTMLCanvasElement), picked);
 // On a narrow window the controls would hide the picture.
 if (globalThis.innerWidth < 720) find("panel", HTMLDetailsElement).open = false;
 void app.run();

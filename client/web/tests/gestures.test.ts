@@ -1,6 +1,6 @@
 // What pointers and keys mean.
 import { describe, expect, it } from "vitest";
-import { Gestures, kDegreesPerHeight } from "../src/input/gestures";
+import { Gestures, kDegreesPerHeight, kPressHeights } from "../src/input/gestures";
 import { press } from "../src/input/keys";
 
 function recorder() {
@@ -11,6 +11,7 @@ function recorder() {
       orbit: (a: number, e: number) => void calls.push(["orbit", a, e]),
       pan: (x: number, y: number) => void calls.push(["pan", x, y]),
       zoom: (f: number, x: number, y: number) => void calls.push(["zoom", f, x, y]),
+      pick: (x: number, y: number) => void calls.push(["pick", x, y]),
       slice: (n: number) => void calls.push(["slice", n]),
       reset: () => void calls.push(["reset"]),
     },
@@ -26,6 +27,30 @@ describe("gestures", () => {
     gestures.up(1);
     gestures.move(1, { x: 1, y: 1 });
     expect(calls).toEqual([["orbit", -0.25 * kDegreesPerHeight, 0.125 * kDegreesPerHeight]]);
+  });
+
+  it("picks where a pointer is pressed without moving, and only then", () => {
+    const { calls, moves } = recorder();
+    const gestures = new Gestures(moves);
+    gestures.down(1, { x: 0.1, y: -0.2 }, false);
+    gestures.move(1, { x: 0.1 + kPressHeights / 2, y: -0.2 });
+    gestures.up(1);
+    expect(calls).toEqual([["pick", 0.1, -0.2]]);
+    gestures.down(1, { x: 0, y: 0 }, true);  // to pan
+    gestures.up(1);
+    gestures.down(1, { x: 0, y: 0 }, false);
+    gestures.down(2, { x: 0.5, y: 0 }, false);  // a second finger
+    gestures.up(2);
+    gestures.up(1);
+    gestures.down(1, { x: 0, y: 0 }, false);
+    gestures.cancel(1);
+    gestures.up(1);
+    expect(calls.length).toBe(1);
+    gestures.down(1, { x: 0, y: 0 }, false);
+    gestures.move(1, { x: 0.01, y: 0 });
+    gestures.move(1, { x: 0, y: 0 });
+    gestures.up(1);
+    expect(calls.filter(([what]) => what === "pick").length).toBe(1);
   });
 
   it("pans with a pointer that was set down to pan", () => {

@@ -1,9 +1,9 @@
 // Slices of straight, flipped and oblique datasets, and the scenes that the controls ask for.
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
-import { type Dataset, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
-import { NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
-import { adapt, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
+import { type Dataset, DatasetKind, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
+import { ColourMap, NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
+import { adapt, colourChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
 import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
 
 function dataset(rows: number[], size: number[], bounds?: [number[], number[]]): Dataset {
@@ -80,5 +80,18 @@ describe("settings", () => {
     const settings = defaultSettings(flipped);
     expect(needsNewCamera(settings, { ...settings, slice: 3, negativeLobes: true, scaleFactor: 2 })).toBe(false);
     expect(needsNewCamera(settings, { ...settings, plane: Plane.CORONAL })).toBe(true);
+  });
+
+  it("colour glyphs by volumes of as many voxels only", () => {
+    const volume = (id: string, size: number[]) => create(DatasetSchema, { id, size, kind: DatasetKind.SCALAR_VOLUME });
+    const all = [flipped, volume("fa", [91, 109, 91]), volume("turned", [109, 91, 91]), volume("other", [91, 109, 90])];
+    expect(colourChoices(flipped, all)).toEqual(["direction", "radius", "scalar:fa", "scalar:turned"]);
+    const settings = { ...defaultSettings(flipped), colour: "scalar:fa", colourMap: ColourMap.CIVIDIS };
+    expect(scene(settings, flipped).layers?.[0]?.content?.value).toMatchObject({
+      colour: { source: { case: "scalar", value: { imageId: "fa", map: ColourMap.CIVIDIS } } },
+    });
+    expect(adapt(settings, flipped).colour).toBe("scalar:fa");
+    expect(adapt({ ...settings, datasetId: "another" }, flipped).colour).toBe("direction");
+    expect(adapt({ ...settings, colour: "radius", datasetId: "another" }, flipped).colour).toBe("radius");
   });
 });

@@ -48,7 +48,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
             fillVisibilityParameters(device_, target, list);
             target.counters() = Counters{};
         }
-        target.frame().jitter = jitterOf(sample);
+        target.frame().jitter = jitterOf(sample) + list.pixel_offset;
         target.frame().sample_index = static_cast<std::uint32_t>(sample);
         PassRun pass_run{device_, recorder_, pipelines_, target, list, sample, cancel};
         for (const plan::PassPlan& pass : list.plan->passes) run(pass_run, pass);

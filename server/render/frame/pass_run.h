@@ -22,6 +22,7 @@ struct DrawList {
     std::vector<GlyphScene*> layers;
     std::vector<std::shared_ptr<const store::ScalarDataset>> scalars;  ///< of the layers coloured so; others have none
     plan::RebasedCamera camera;
+    glm::vec2 pixel_offset{0};  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
 };
 

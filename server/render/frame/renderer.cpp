@@ -12,6 +12,7 @@
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
 #include "render/frame/outputs.h"
+#include "render/frame/pick.h"
 #include "render/frame/self_test.h"
 #include "store/store.h"
 
@@ -59,7 +60,7 @@ struct Renderer::Impl {
     plan::Abilities abilities;
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
-    Target own_target;
+    Target own_target, pick_target;
 
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
@@ -175,6 +176,15 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
 model::Frame Renderer::renderAll(const model::FrameRequest& request, const model::Outputs& outputs,
                                  const std::atomic<bool>* cancel) {
     return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
+}
+
+std::optional<model::PickedGlyph> Renderer::pick(const model::FrameRequest& request, int x, int y) {
+    model::validate(request, impl_->limits);
+    model::FrameRequest pixel = pickRequest(request, x, y, impl_->abilities);
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    DrawList list = impl_->prepare(pixel, plan, info);
+    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {

@@ -3,12 +3,14 @@
 
 #include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gpu/fwd.h"
 #include "model/frame.h"
 #include "model/limits.h"
+#include "model/pick.h"
 
 namespace radiata::store {
 class Store;
@@ -53,6 +55,13 @@ public:
     /// radiological convention (mirrored in neurological), sagittal from the left, orthographic.
     model::Camera fitCamera(const std::string& dataset_id, const model::VoxelSelection& selection, model::Convention convention,
                             double aspect);
+
+    /// What the ray through a pixel's centre hits first, by the march, without its peaks. Draws that one pixel, so its cost
+    /// does not depend on the picture's size. Direction and amplitude are in double from a hit that is exact to float: position
+    /// within 1e-5 of the distance across the scene.
+    /// \throws as render(); Error(kInvalidArgument) for a pixel outside the picture, Error(kUnsupported) on a device where
+    ///         tile lists are the only traversal that works
+    std::optional<model::PickedGlyph> pick(const model::FrameRequest& request, int x, int y);
 
     /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
     /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another

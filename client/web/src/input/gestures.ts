@@ -1,5 +1,5 @@
 // What the pointers on the picture mean: one finger or the left button orbits; two fingers, the right or middle button, or the
-// left one with Shift, pan; pinching zooms. Pure: fed with positions in picture heights, answers with moves.
+// left one with Shift, pan; pinching zooms; a press that does not move picks. Pure: fed with positions in picture heights, answers with moves.
 
 export interface Moves {
   /** Degrees. */
@@ -8,6 +8,8 @@ export interface Moves {
   pan: (right: number, down: number) => void;
   /** Enlargement about a point: offsets from the picture's middle, right and down, in picture heights. */
   zoom: (factor: number, x: number, y: number) => void;
+  /** What lies at a point: offsets from the picture's middle, right and down, in picture heights. */
+  pick: (x: number, y: number) => void;
 }
 
 export interface Point {
@@ -18,27 +20,43 @@ export interface Point {
 /** Half a turn for a drag over the picture's height. */
 export const kDegreesPerHeight = 180;
 
+/** How far a press may stray and still be one, picture heights: a trembling hand, not a drag. */
+export const kPressHeights = 0.006;
+
 const middle = (a: Point, b: Point): Point => ({ x: (a.x + b.x) / 2, y: (a.y + b.y) / 2 });
 const distance = (a: Point, b: Point): number => Math.hypot(a.x - b.x, a.y - b.y);
 
 export class Gestures {
   private readonly pointers = new Map<number, Point>();
   private panning = false;
+  /** Where the one pointer went down that has not moved since. */
+  private press: Point | null = null;
 
   constructor(private readonly moves: Moves) {}
 
   down(id: number, at: Point, pan: boolean): void {
     this.pointers.set(id, at);
     this.panning = pan;
+    this.press = this.pointers.size === 1 && !pan ? at : null;
   }
 
   up(id: number): void {
+    const press = this.press;
+    this.press = null;
+    if (this.pointers.delete(id) && press) this.moves.pick(press.x, press.y);
+  }
+
+  /** The pointer was taken away: it meant nothing. */
+  cancel(id: number): void {
+    this.press = null;
     this.pointers.delete(id);
   }
 
   move(id: number, to: Point): void {
     const from = this.pointers.get(id);
     if (!from) return;
+    if (this.press && distance(this.press, to) <= kPressHeights) return;
+    this.press = null;
     const others = [...this.pointers].filter(([key]) => key !== id).map(([, point]) => point);
     this.pointers.set(id, to);
     const other = others[0];

@@ -20,9 +20,8 @@ export function listenToPointers(element: HTMLElement, moves: Moves): void {
     gestures.down(event.pointerId, place(event), event.button !== 0 || event.shiftKey);
   });
   element.addEventListener("pointermove", (event) => gestures.move(event.pointerId, place(event)));
-  for (const end of ["pointerup", "pointercancel"] as const) {
-    element.addEventListener(end, (event) => gestures.up(event.pointerId));
-  }
+  element.addEventListener("pointerup", (event) => gestures.up(event.pointerId));
+  element.addEventListener("pointercancel", (event) => gestures.cancel(event.pointerId));
   element.addEventListener("contextmenu", (event) => event.preventDefault());
   element.addEventListener(
     "wheel",

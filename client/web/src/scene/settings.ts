@@ -1,8 +1,10 @@
 // What the controls of the page choose, and the scene that follows from it.
 import { type MessageInitShape } from "@bufbuild/protobuf";
-import { type Dataset } from "../generated/radiata/v1/catalog_pb";
+import { type Dataset, DatasetKind } from "../generated/radiata/v1/catalog_pb";
 import {
   Annotations_Convention as Convention,
+  ColourMap,
+  type GlyphColourSchema,
   GlyphScale_Mode as ScaleMode,
   NegativeLobes,
   Plane,
@@ -25,6 +27,9 @@ export interface Settings {
   /** Highest band drawn; null: all. */
   readonly lmax: number | null;
   readonly negativeLobes: boolean;
+  /** "direction", "radius", or the id of a scalar volume after "scalar:". */
+  readonly colour: string;
+  readonly colourMap: ColourMap;
   readonly convention: Convention;
 }
 
@@ -39,8 +44,25 @@ export function defaultSettings(dataset: Dataset): Settings {
     scaleFactor: 1,
     lmax: null,
     negativeLobes: false,
+    colour: "direction",
+    colourMap: ColourMap.VIRIDIS,
     convention: Convention.RADIOLOGICAL,
   };
+}
+
+/** What may colour a dataset's glyphs: volumes with as many voxels. Whether they lie at the same place the server checks. */
+export function colourChoices(dataset: Dataset, all: readonly Dataset[]): string[] {
+  const lengths = (size: readonly number[]): string => [...size].sort((a, b) => a - b).join();
+  const fitting = all.filter(({ kind, size }) => kind === DatasetKind.SCALAR_VOLUME && lengths(size) === lengths(dataset.size));
+  return ["direction", "radius", ...fitting.map(({ id }) => `scalar:${id}`)];
+}
+
+export const isMapped = (colour: string): boolean => colour !== "direction";
+
+function glyphColour({ colour, colourMap: map }: Settings): MessageInitShape<typeof GlyphColourSchema> {
+  if (colour === "radius") return { source: { case: "radius", value: { map } } };
+  if (!isMapped(colour)) return { source: { case: "direction", value: {} } };
+  return { source: { case: "scalar", value: { imageId: colour.slice("scalar:".length), map } } };
 }
 
 /** The same choices for another dataset or plane: the slice goes back to the middle, a band limit that it lacks is lifted. */
@@ -50,6 +72,7 @@ export function adapt(settings: Settings, dataset: Dataset): Settings {
     datasetId: dataset.id,
     slice: middleSlice(sliceRange(dataset, settings.plane)),
     lmax: settings.lmax !== null && settings.lmax > dataset.lmax ? null : settings.lmax,
+    colour: dataset.id !== settings.datasetId && settings.colour.startsWith("scalar:") ? "direction" : settings.colour,
   };
 }
 
@@ -77,6 +100,7 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
             selection: selection(settings, dataset),
             scale: { mode: settings.scaleMode, factor: settings.scaleFactor },
             ...(settings.lmax !== null && { lmax: settings.lmax }),
+            ...(settings.colour !== "direction" && { colour: glyphColour(settings) }),
             negativeLobes: settings.negativeLobes ? NegativeLobes.SHOWN : NegativeLobes.HIDDEN,
           },
         },

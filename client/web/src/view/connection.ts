@@ -31,6 +31,8 @@ const kOpenTimeoutMs = 60_000;
 
 export class Connection {
   private updates: Updates | null = null;
+  /** Of the open view; empty: none. */
+  viewId = "";
   /** What changed after the request was made and before the view was open. */
   private missed: Change | null = null;
   private waitsForChange = false;
@@ -119,11 +121,13 @@ export class Connection {
       clearInterval(timer);
       updates?.stop();
       this.updates = null;
+      this.viewId = "";
     }
   }
 
   private begin(viewId: string, attempt: AbortController): Updates {
     this.backoff.reset();
+    this.viewId = viewId;
     this.updates = new Updates(viewId, 0n, {
       send: async (message) => {
         await this.services.view.update(message, { signal: attempt.signal, timeoutMs: kCallTimeoutMs });

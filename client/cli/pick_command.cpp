@@ -1,0 +1,86 @@
+// radiata pick: what lies under a pixel of the picture that radiata render would make with the same options.
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "radiata/v1/pick.grpc.pb.h"
+
+#include "cli/commands.h"
+#include "common/message_json.h"
+#include "common/output_file.h"
+#include "common/request_options.h"
+#include "common/table.h"
+
+namespace radiata::client {
+namespace {
+
+struct Options {
+    RequestOptions request;
+    std::vector<std::uint32_t> pixel;
+    bool json = false;
+};
+
+std::string vectorText(const v1::Vec3& v, int digits) {
+    return formatNumber(v.x(), digits) + ", " + formatNumber(v.y(), digits) + ", " + formatNumber(v.z(), digits);
+}
+
+std::string rankText(const v1::PickedGlyph& glyph) {
+    const std::string of = std::to_string(glyph.peaks_size()) + (glyph.peaks_size() == 1 ? " peak" : " peaks");
+    if (glyph.peak_rank() == 0) return "none of " + of;
+    return std::to_string(glyph.peak_rank()) + " of " + of + ", " + formatNumber(glyph.peak_angle_deg(), 2) + " degrees away";
+}
+
+std::string describe(const v1::PickedGlyph& glyph) {
+    std::vector<Row> rows = {
+        {"layer", std::to_string(glyph.layer()) + " (" + glyph.dataset_id() + ")"},
+        {"voxel",
+         std::to_string(glyph.voxel(0)) + ", " + std::to_string(glyph.voxel(1)) + ", " + std::to_string(glyph.voxel(2))},
+        {"position mm", vectorText(glyph.position_mm(), 3)},
+        {"centre mm", vectorText(glyph.centre_mm(), 3)},
+        {"direction", vectorText(glyph.direction(), 4)},
+        {"radius mm", formatNumber(glyph.radius_mm(), 4)},
+        {"amplitude", formatNumber(glyph.amplitude(), 5)},
+        {"peak", rankText(glyph)},
+    };
+    for (int i = 0; i < glyph.peaks_size(); ++i) {
+        rows.push_back({"peak " + std::to_string(i + 1),
+                        formatNumber(glyph.peaks(i).amplitude(), 5) + " along " + vectorText(glyph.peaks(i).direction(), 4)});
+    }
+    return formatTable({"picked", ""}, rows);
+}
+
+void pick(const ConnectionOptions& connection_options, const Options& options) {
+    v1::PickRequest request;
+    *request.mutable_request() = makeRequest(options.request);
+    request.set_x(options.pixel[0]);
+    request.set_y(options.pixel[1]);
+    const Connection connection(connection_options);
+    completeRequest(*request.mutable_request(), connection);
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::PickResponse response;
+    connection.check(v1::PickService::NewStub(connection.channel())->Pick(&context, request, &response));
+    if (options.json) {
+        writeFile("-", messageToJson(response).dump(2) + "\n");
+    } else {
+        writeFile("-", response.has_glyph() ? describe(response.glyph()) : "nothing lies under this pixel\n");
+    }
+}
+
+}  // namespace
+
+void addPickCommand(CLI::App& app, const ConnectionOptions& connection) {
+    const auto options = std::make_shared<Options>();
+    CLI::App* command = app.add_subcommand("pick", "What lies under a pixel: voxel, place, direction, amplitude, peaks");
+    addRequestOptions(*command, options->request, true);
+    command->add_option("--pixel", options->pixel, "Column and row from the picture's upper left corner, from 0")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("X,Y")
+        ->required();
+    command->add_flag("--json", options->json, "Print JSON");
+    command->callback([options, &connection] { pick(connection, *options); });
+}
+
+}  // namespace radiata::client

@@ -1,0 +1,38 @@
+// What lies under a pixel: a point on a glyph, its function and its peaks.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "math/sh_layout.h"
+
+namespace radiata::model {
+
+struct Peak {
+    glm::dvec3 direction{0};  ///< unit, world axes; for even layouts one of the two ends
+    double amplitude = 0;     ///< above 0
+    bool operator==(const Peak&) const = default;
+};
+
+struct PickedGlyph {
+    int layer = 0;
+    std::string dataset_id;
+    glm::ivec3 voxel{0};
+    glm::dvec3 centre_mm{0};    ///< of the voxel, world
+    glm::dvec3 position_mm{0};  ///< on the surface, world
+    glm::dvec3 direction{0};    ///< from centre to position, unit
+    double radius_mm = 0;
+    double amplitude = 0;  ///< of the function in that direction, signed
+
+    /// The function that is drawn: its bands, internal convention.
+    ShLayout layout;
+    std::vector<float> coefficients;
+
+    int peak_rank = 0;          ///< from 1: the peak that the surface rises to; 0: none
+    double peak_angle_deg = 0;  ///< from the direction to that peak
+    std::vector<Peak> peaks;    ///< the largest first; of even layouts the end nearer to the direction
+};
+
+}  // namespace radiata::model

@@ -1,0 +1,21 @@
+// One pixel of a picture, drawn alone: a picture of 1 x 1 pixels with the rays of the large one.
+#pragma once
+
+#include <optional>
+
+#include "model/pick.h"
+#include "render/frame/drawer.h"
+
+namespace radiata::render {
+
+/// The request with what a pick needs and no more: one sample by the march, no light to speak of, a traversal that does not
+/// depend on the picture's size. \throws Error(kInvalidArgument) for a pixel outside, Error(kUnsupported) if there is no such
+/// traversal
+model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, const plan::Abilities& abilities);
+
+/// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
+/// pixel
+std::optional<model::PickedGlyph> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x,
+                                            int y);
+
+}  // namespace radiata::render

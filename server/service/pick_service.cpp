@@ -1,0 +1,58 @@
+#include "build/peaks.h"
+#include "service/convert.h"
+#include "service/convert_checks.h"
+#include "service/raw_call.h"
+#include "service/services.h"
+
+namespace radiata::service {
+namespace {
+
+/// The picture that the request names. Waits for nothing: the requests of a view's frames are kept.
+model::FrameRequest pictureOf(const v1::PickRequest& message, session::Conductor& conductor, const ViewIds& ids) {
+    switch (message.frame_case()) {
+        case v1::PickRequest::kView:
+            return conductor.requestOf(ids.find(message.view().view_id()), message.view().sequence());
+        case v1::PickRequest::kRequest: {
+            const model::FrameRequest request = fromProto(message.request(), "request");
+            model::validate(request, conductor.limits());
+            return request;
+        }
+        case v1::PickRequest::FRAME_NOT_SET:
+            break;
+    }
+    refuse("view (a frame of a view) and request (a picture of its own) are both missing; give one");
+}
+
+}  // namespace
+
+grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Bytes* response) {
+    return unaryCall<v1::PickRequest>(request, response, [this](UnaryCall* call, const v1::PickRequest& message) {
+        const model::FrameRequest picture = pictureOf(message, conductor_, ids_);
+        if (message.x() >= static_cast<std::uint32_t>(picture.width) ||
+            message.y() >= static_cast<std::uint32_t>(picture.height)) {
+            refuse("pixel " + std::to_string(message.x()) + ", " + std::to_string(message.y()) +
+                   " lies outside the picture of " + std::to_string(picture.width) + " x " + std::to_string(picture.height) +
+                   " pixels, which count from 0");
+        }
+        const int x = static_cast<int>(message.x()), y = static_cast<int>(message.y());
+        // The ray is traced by the render thread, peaks are searched by the worker, so that no view waits for them.
+        conductor_.post([this, call, picture, x, y] {
+            try {
+                auto glyph = conductor_.backend().pick(picture, x, y);
+                if (!glyph) return call->answer(v1::PickResponse());
+                worker_.post([call, picked = std::move(*glyph)]() mutable {
+                    try {
+                        findPeaks(picked);
+                        call->answer(toProto(picked));
+                    } catch (...) {
+                        call->refuse(currentStatus());
+                    }
+                });
+            } catch (...) {
+                call->refuse(currentStatus());
+            }
+        });
+    });
+}
+
+}  // namespace radiata::service
