@@ -39,7 +39,7 @@ class CatalogTest(ClientTest):
 
     def test_help_names_every_command(self):
         text = self.radiata("--help").stdout
-        for command in ("list", "info", "limits", "render", "orbit"):
+        for command in ("list", "info", "limits", "render", "orbit", "pick"):
             self.assertTrue(re.search(rf"^ +{command} ", text, re.MULTILINE), command)
 
 

@@ -119,6 +119,28 @@ describe("the page", () => {
     assert.ok((await compare(page, bytes, "image/png")).worst <= 1);
   });
 
+  it("says what lies under a pixel that is clicked, and leaves the camera where it is", async () => {
+    const start = await camera(page);
+    const box = await picture().boundingBox();
+    const row = (name) => page.textContent(`#picked dd[data-row="${name}"]`);
+    assert.equal(await page.isVisible("#picked"), false);
+    // The left half of the stub's pictures is one glyph whose voxel is the pixel.
+    await page.mouse.click(box.x + 321, box.y + 123);
+    await page.waitForSelector("#picked:not([hidden])");
+    assert.equal(await row("voxel"), "321, 123, 0");
+    assert.equal(await row("direction"), "0.000, 0.600, 0.800");
+    assert.equal(await row("amplitude"), "0.3804");
+    assert.equal(await row("peak"), "1 of 1, 53.1° away, 0.5552");
+    const position = (await row("place, mm")).split(", ").map(Number);
+    assert.ok(Math.abs(position[0] - (-90 + 2 * 321)) < 0.01, position.join());
+    await page.mouse.click(box.x + box.width * 0.6, box.y + 123);
+    await page.waitForFunction(() => document.querySelector("#picked h2").textContent === "nothing here");
+    assert.equal(await page.locator("#picked dd").count(), 0);
+    await page.click("#picked button");
+    assert.equal(await page.isVisible("#picked"), false);
+    assert.deepEqual(await camera(page), start);
+  });
+
   it("zooms by the wheel and pans with Shift", async () => {
     const start = await camera(page);
     const at = await middle();

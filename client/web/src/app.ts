@@ -153,8 +153,9 @@ export class App {
     if (!frame || viewId === "" || frame.connection !== this.connections) return;
     // The element shows the whole picture, stretched while it has another size than the window.
     const { width, height } = this.screen.size;
-    const x = Math.floor((right * (height / width) + 0.5) * frame.width);
-    const y = Math.floor((down + 0.5) * frame.height);
+    // A pointer on the border of a pixel means the pixel that begins there, whatever the rounding on the way here.
+    const x = Math.floor((right * (height / width) + 0.5) * frame.width + 1e-6);
+    const y = Math.floor((down + 0.5) * frame.height + 1e-6);
     if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return;
     const mine = ++this.picking;
     try {

@@ -18,6 +18,8 @@ const std::vector<Experiment>& experiments() {
         {"peters-fig4", "Peters et al. 2023, Fig. 4: what hard and soft shadows and ambient occlusion add to the glyph passes",
          petersFig4},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
+        {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",
+         hlawitschkaFig5},
     };
     return kAll;
 }

@@ -13,5 +13,6 @@ Report petersBounds(gpu::Device& device, const Options& options);
 Report petersFig1(gpu::Device& device, const Options& options);
 Report petersFig3(gpu::Device& device, const Options& options);
 Report petersFig7(gpu::Device& device, const Options& options);
+Report hlawitschkaFig5(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
