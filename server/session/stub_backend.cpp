@@ -101,7 +101,7 @@ std::optional<model::PickedGlyph> pick(const model::FrameRequest& request, int x
     glyph.centre_mm = glm::dvec3(info.voxel_to_world * glm::dvec4(glm::dvec3(glyph.voxel), 1.0));
     glyph.direction = {0, 0.6, 0.8};
     glyph.layout = ShLayout{2, false};
-    glyph.coefficients = {1, 0, 0, 0, 0, -0.5F};  // f = 0.282 - 0.273 (x^2 - y^2)
+    glyph.coefficients = {1, -0.5F, 0, 0, 0, 0};  // f = 0.282 - 0.273 (x^2 - y^2)
     glyph.amplitude = evaluateSh(glyph.layout, glyph.coefficients, glyph.direction);
     glyph.radius_mm = 2 * glyph.amplitude;
     glyph.position_mm = glyph.centre_mm + glyph.radius_mm * glyph.direction;
