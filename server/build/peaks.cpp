@@ -106,6 +106,7 @@ void findPeaks(model::PickedGlyph& glyph) {
     for (model::Peak& peak : glyph.peaks) {
         if (!glyph.layout.full && glm::dot(peak.direction, glyph.direction) < 0) peak.direction = -peak.direction;
     }
+    glyph.peak_angle_deg = 0;
     glyph.peak_rank = lobe ? static_cast<int>(*lobe) + 1 : 0;
     if (lobe) {
         const glm::dvec3& peak = glyph.peaks[*lobe].direction;

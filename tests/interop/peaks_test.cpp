@@ -119,11 +119,11 @@ TEST(PeaksInterop, EqualSh2peaksWhereItConverges) {
         // Two or three lobes cos^16 each, in every voxel.
         const ShLayout layout{lmax, false};
         Volume volume;
-        volume.size = {12, 8, 1, static_cast<std::int64_t>(layout.count())};
+        volume.size = {6, 4, 1, static_cast<std::int64_t>(layout.count())};
         volume.voxel_to_world = glm::dmat4(1.0);
-        volume.data.assign(96 * layout.count(), 0.0F);
+        volume.data.assign(24 * layout.count(), 0.0F);
         std::vector<double> basis(layout.count());
-        for (std::size_t v = 0; v < 96; ++v) {
+        for (std::size_t v = 0; v < 24; ++v) {
             std::vector<double> tournier(layout.count(), 0.0);
             for (int lobe = 0; lobe < 2 + static_cast<int>(v % 2); ++lobe) {
                 const glm::dvec3 axis = glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
@@ -134,7 +134,7 @@ TEST(PeaksInterop, EqualSh2peaksWhereItConverges) {
                 }
             }
             convertSh(std::span<double>(tournier), layout, ShConvention::kDescoteaux07, ShConvention::kTournier07);
-            for (std::size_t c = 0; c < layout.count(); ++c) volume.data[v + 96 * c] = static_cast<float>(tournier[c]);
+            for (std::size_t c = 0; c < layout.count(); ++c) volume.data[v + 24 * c] = static_cast<float>(tournier[c]);
         }
         writeNifti(volume, folder.path() / "fod.nii");
         expectEqual(compare(folder.path() / "fod.nii", folder.path() / "peaks.nii", 1),
@@ -142,7 +142,7 @@ TEST(PeaksInterop, EqualSh2peaksWhereItConverges) {
     }
     const char* data = std::getenv("RADIATA_DATA");
     if (data == nullptr || *data == 0) return;
-    expectEqual(compare(std::filesystem::path(data) / "sh" / "xa140_fod8.nii.gz", folder.path() / "peaks.nii", 9),
+    expectEqual(compare(std::filesystem::path(data) / "sh" / "xa140_fod8.nii.gz", folder.path() / "peaks.nii", 45),
                 "xa140_fod8");
 }
 
