@@ -35,9 +35,12 @@ model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface
     glyph.layout = {image.layout.full ? lmax : lmax - lmax % 2, image.layout.full};
     const auto first = image.coefficients.begin() + static_cast<std::ptrdiff_t>(instance.slot * image.layout.count());
     glyph.coefficients.assign(first, first + static_cast<std::ptrdiff_t>(glyph.layout.count()));
-    glyph.direction = glm::normalize(hitPosition(list, surface) - glyph.centre_mm);
+    const glm::dvec3 offset = hitPosition(list, surface) - glyph.centre_mm;
+    glyph.direction = glm::normalize(offset);
     glyph.amplitude = evaluateSh(glyph.layout, std::span<const float>(glyph.coefficients), glyph.direction);
-    glyph.radius_mm = std::abs(glyph.amplitude) * static_cast<double>(instance.scale);
+    // An ellipsoid is not the graph of its tensor's function.
+    const bool ellipsoid = scene.layer().tensor == model::TensorShape::kEllipsoid;
+    glyph.radius_mm = ellipsoid ? glm::length(offset) : std::abs(glyph.amplitude) * static_cast<double>(instance.scale);
     glyph.position_mm = glyph.centre_mm + glyph.radius_mm * glyph.direction;
     return glyph;
 }
