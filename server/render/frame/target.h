@@ -8,6 +8,7 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/shared/layer_look.glsl"
+#include "shaders/shared/uncertainty.glsl"
 
 namespace radiata::render {
 
@@ -19,6 +20,13 @@ struct Counters {
 /// Tile lists and pole-frame table of one layer, for the camera of the latest first sample.
 struct LayerBuffers {
     gpu::Buffer tile_ranges, tile_entries, table, sun_table;
+};
+
+/// Of layers' second glyphs; all empty where no layer has them.
+struct UncertaintyBuffers {
+    gpu::Buffer params;  ///< shader::UncertaintyParams[layers]
+    gpu::Buffer media;   ///< shader::Medium[pixels], of the latest sample
+    std::vector<LayerBuffers> layers;
 };
 
 struct Target::Impl {
@@ -34,6 +42,7 @@ struct Target::Impl {
     gpu::Buffer occlusion_bits;  ///< the same for rays of ambient occlusion
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
+    UncertaintyBuffers uncertainty;
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
