@@ -163,6 +163,9 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
         ->type_name("R,G,B");
     addTensorOptions(app, options.tensors);
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
+    addUncertaintyOptions(app, options.uncertainty);
+    app.add_option("--isotropic", options.isotropic_part,
+                   "Constant added to each glyph's function, in typical amplitudes, 0 to 10 (default 0)");
     app.add_option("--size", options.size, "Picture size in pixels")->type_name("WxH")->capture_default_str();
     addWords(app, "--convention", options.convention, v1::Annotations::Convention_descriptor(),
              "How default cameras look at the head (default radiological)");
@@ -199,6 +202,8 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     glyphs.set_negative_lobes(options.lobes);
     setColour(glyphs, options);
     setLight(*scene.mutable_light(), options.light);
+    setUncertainty(glyphs, options.uncertainty);
+    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);

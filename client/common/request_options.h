@@ -14,6 +14,7 @@
 #include "common/connection.h"
 #include "common/light_options.h"
 #include "common/tensor_options.h"
+#include "common/uncertainty_options.h"
 
 namespace radiata::client {
 
@@ -37,6 +38,8 @@ struct RequestOptions {
     std::vector<double> uniform_colour;
     TensorOptions tensors;
     std::optional<float> opacity;
+    UncertaintyOptions uncertainty;
+    std::optional<float> isotropic_part;
     std::string size = "1280x720";
     v1::Annotations::Convention convention = v1::Annotations::CONVENTION_RADIOLOGICAL;
     bool no_annotations = false;

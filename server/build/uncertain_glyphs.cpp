@@ -15,8 +15,6 @@
 namespace radiata {
 namespace {
 
-constexpr std::uint32_t kNoSlot = 0xffffffffU;
-
 [[noreturn]] void refuse(const std::string& sentence) { throw Error(Code::kInvalidArgument, sentence); }
 
 std::string text(const glm::ivec3& v) {
@@ -109,7 +107,7 @@ void checkSameGrid(const model::ShImage& image, const model::ShImage& uncertaint
 
 std::vector<std::uint32_t> matchVoxels(const model::ShImage& image, std::span<const std::uint32_t> slots,
                                        const model::ShImage& other) {
-    std::vector<std::uint32_t> matches(slots.size(), kNoSlot);
+    std::vector<std::uint32_t> matches(slots.size(), kNoVoxel);
     for (std::size_t i = 0; i < slots.size(); ++i) {
         const glm::ivec3& voxel = image.voxels[slots[i]];
         const auto found = std::ranges::lower_bound(other.voxels, storageOrder(voxel), {}, storageOrder);
@@ -164,7 +162,7 @@ model::ShImage outerGlyphs(const model::ShImage& mean, std::span<const std::uint
         std::vector<double> fit(count);
         for (std::size_t v = begin; v < end; ++v) {
             std::ranges::fill(fit, 0.0);
-            if (matches[v] != kNoSlot) {
+            if (matches[v] != kNoVoxel) {
                 const float* deviation = deviations.coefficients.data() + matches[v] * stride;
                 for (std::size_t q = 0; q < rule.weights.size(); ++q) {
                     const double* basis = rule.basis.data() + q * count;

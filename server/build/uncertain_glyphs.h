@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <vector>
 
 #include "model/sh_image.h"
 
@@ -42,7 +43,9 @@ model::ShImage outerGlyphs(const model::ShImage& mean, std::span<const std::uint
 /// \throws Error(kInvalidArgument) unless both images have the same voxels: sizes equal, matrices up to 1e-3 voxels
 void checkSameGrid(const model::ShImage& image, const model::ShImage& uncertainty);
 
-/// For each slot, the slot of the same voxel in another image of the same grid, or 0xffffffff.
+constexpr std::uint32_t kNoVoxel = 0xffffffffU;
+
+/// For each slot, the slot of the same voxel in another image of the same grid, or kNoVoxel.
 std::vector<std::uint32_t> matchVoxels(const model::ShImage& image, std::span<const std::uint32_t> slots,
                                        const model::ShImage& other);
 

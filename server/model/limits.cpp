@@ -43,6 +43,21 @@ void checkColour(const GlyphColour& colour, const std::string& where) {
     }
 }
 
+void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) {
+    if (uncertainty.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
+    if (!(uncertainty.deviations > 0 && uncertainty.deviations <= 100)) {
+        refuse(where + ".deviations is " + std::to_string(uncertainty.deviations) + "; it must be above 0 and at most 100");
+    }
+    if (const auto extinction = uncertainty.extinction_per_mm; extinction && !(*extinction > 0 && *extinction <= 1e6F)) {
+        refuse(where + ".extinction_per_mm is " + std::to_string(*extinction) + "; it must be above 0 and at most 1e6");
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (!(uncertainty.emission[c] >= 0 && uncertainty.emission[c] <= 1)) {
+            refuse(where + ".emission must be 0 to 1 in each channel");
+        }
+    }
+}
+
 void checkLayer(const Layer& layer, const std::string& where) {
     const GlyphLayer& glyphs = layer.glyphs;
     if (glyphs.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
@@ -54,6 +69,13 @@ void checkLayer(const Layer& layer, const std::string& where) {
         refuse(where + ".lmax is " + std::to_string(*glyphs.lmax) + "; it must be 0 to 16");
     }
     checkColour(glyphs.colour, where + ".colour");
+    if (glyphs.uncertainty) checkUncertainty(*glyphs.uncertainty, where + ".uncertainty");
+    if (!(glyphs.isotropic_part >= 0 && glyphs.isotropic_part <= 10)) {
+        refuse(where + ".isotropic_part is " + std::to_string(glyphs.isotropic_part) + "; it must be 0 to 10");
+    }
+    if (glyphs.isotropic_part > 0 && glyphs.tensor == TensorShape::kEllipsoid) {
+        refuse(where + ".isotropic_part is of Reynolds glyphs and spherical harmonics; an ellipsoid has none");
+    }
     if (!(layer.opacity > 0 && layer.opacity <= 1)) {
         refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
     }
@@ -144,6 +166,13 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     checkTensorMarch(request.quality.tensor_march);
     checkScene(request.scene, limits);
+    const bool tensor_method =
+        request.quality.intersection != Intersection::kMarch && request.quality.intersection != Intersection::kPolynomial;
+    for (const Layer& layer : request.scene.layers) {
+        if (tensor_method && layer.glyphs.isotropic_part > 0) {
+            refuse("quality.intersection draws tensors as they are; an isotropic_part needs march or polynomial");
+        }
+    }
     cameraFrame(request.camera);
 }
 

@@ -56,6 +56,19 @@ struct GlyphColour {
     bool operator==(const GlyphColour&) const = default;
 };
 
+/// What an image of uncertainty holds: the outer glyphs themselves, or standard deviations of the coefficients.
+enum class UncertaintyKind { kGlyphs, kDeviations };
+
+/// A second glyph around each glyph, drawn as a homogeneous medium (Peters et al. 2023, Sec. 4.3).
+struct Uncertainty {
+    std::string dataset_id;
+    UncertaintyKind kind = UncertaintyKind::kGlyphs;
+    float deviations = 1;                    ///< of kDeviations: how many the outer surface is away
+    std::optional<float> extinction_per_mm;  ///< none: 2 / half the voxel
+    glm::vec3 emission{0.21404114F};         ///< linear RGB; the default is the sRGB triple (1/2, 1/2, 1/2) of the paper
+    bool operator==(const Uncertainty&) const = default;
+};
+
 struct GlyphLayer {
     std::string dataset_id;
     VoxelSelection selection;
@@ -64,6 +77,8 @@ struct GlyphLayer {
     NegativeLobes negative_lobes = NegativeLobes::kHidden;
     GlyphColour colour;
     std::optional<TensorShape> tensor;  ///< the layer is one of tensor glyphs
+    std::optional<Uncertainty> uncertainty;
+    float isotropic_part = 0;  ///< added in all directions, in units of the dataset's typical amplitude
     bool operator==(const GlyphLayer&) const = default;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
 #include "plan/tensor_methods.h"
 
@@ -59,7 +60,12 @@ model::Traversal chooseTraversal(const model::FrameRequest& request, const std::
         return wanted;
     }
     double depth = 0;
-    for (const LayerFacts& layer : layers) depth += layer.depth_complexity;
+    for (const LayerFacts& layer : layers) {
+        depth += layer.depth_complexity;
+        // Lists serve both kinds of glyphs of a layer or neither; the longer ones decide.
+        for (const LayerFacts& second : layer.uncertainty)
+            depth += std::max(0.0, second.depth_complexity - layer.depth_complexity);
+    }
     if (abilities.tiles && depth <= kTileDepth) {
         reason = "about " + number(depth) + " boxes along a ray: lists per tile are short";
         return model::Traversal::kTiles;
@@ -146,11 +152,7 @@ GlyphPlan planLayer(const model::Layer& layer, std::size_t index, const LayerFac
                                             (facts.layout.full ? "odd bands too" : "bands up to " + std::to_string(limit)) +
                                             "; use the march or set lmax");
     }
-    GlyphPlan plan;
-    plan.layout_name = (facts.layout.full ? "full" : "even") + std::to_string(compiled);
-    plan.used = static_cast<std::uint32_t>(ShLayout{limit, facts.layout.full}.count());
-    plan.both_lobes = layer.glyphs.negative_lobes == model::NegativeLobes::kShown;
-    return plan;
+    return planBands(facts.layout, lmax, layer.glyphs.negative_lobes == model::NegativeLobes::kShown);
 }
 
 /// Ends of a colour map that the request leaves open.
@@ -166,6 +168,15 @@ model::ColourRange colourRange(const model::GlyphColour& colour, const LayerFact
 }
 
 }  // namespace
+
+GlyphPlan planBands(ShLayout layout, int lmax, bool both_lobes) {
+    const int limit = layout.full ? lmax : lmax - lmax % 2;
+    GlyphPlan plan;
+    plan.layout_name = (layout.full ? "full" : "even") + std::to_string(std::max(2, limit + limit % 2));
+    plan.used = static_cast<std::uint32_t>(ShLayout{limit, layout.full}.count());
+    plan.both_lobes = both_lobes;
+    return plan;
+}
 
 FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities) {
     FramePlan plan;
@@ -199,6 +210,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     }
     plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
+    planUncertainty(plan, layers, abilities);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     return plan;

@@ -2,7 +2,9 @@
 // of passes. Pure data and pure functions; tested without a device.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,7 @@ struct LayerFacts {
     bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
     double voxel_edge_mm = 0;             ///< the shortest
     double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
+    std::vector<LayerFacts> uncertainty;  ///< of the layer's second glyphs: one entry, or none
 };
 
 /// How one glyph layer is drawn.
@@ -51,19 +54,30 @@ struct VisibilityPlan {
     std::string sun_table_reason;
 };
 
-enum class PassKind { kGlyphTable, kGlyphTrace, kSunTable, kShadow, kOcclusion, kLight, kResolve };
+enum class PassKind {
+    kGlyphTable,
+    kGlyphTrace,
+    kUncertaintyTable,
+    kUncertainty,
+    kSunTable,
+    kShadow,
+    kOcclusion,
+    kLight,
+    kResolve
+};
 
 /// One pass, in order of execution.
 struct PassPlan {
     PassKind kind;
-    std::string name;    ///< "glyph table 0", "glyph trace 0", "sun table 0", "shadow 0", "occlusion 0", "light", "resolve"
+    std::string name;    ///< "glyph table 0", "glyph trace 0", "uncertainty 0", "sun table 0", "shadow 0", "light", "resolve"
     std::string shader;  ///< module
     int layer = -1;      ///< of glyph passes
 };
 
 struct FramePlan {
-    model::FrameRequest resolved;   ///< the request with every choice filled in
-    std::vector<GlyphPlan> glyphs;  ///< one per layer
+    model::FrameRequest resolved;                       ///< the request with every choice filled in
+    std::vector<GlyphPlan> glyphs;                      ///< one per layer
+    std::vector<std::optional<GlyphPlan>> uncertainty;  ///< of each layer's second glyphs, where it has them
     VisibilityPlan visibility;
     std::vector<PassPlan> passes;
     /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
@@ -71,7 +85,14 @@ struct FramePlan {
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;
+
+    bool usesUncertainty() const {
+        return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });
+    }
 };
+
+/// How glyphs with these bands up to lmax are drawn, without a table. An even layout takes the band below an odd lmax.
+GlyphPlan planBands(ShLayout layout, int lmax, bool both_lobes);
 
 /// \param layers  one per layer of the scene
 /// \throws Error(kInvalidArgument) for a band limit above the data, Error(kUnsupported) for a traversal that the device lacks

@@ -25,6 +25,7 @@ model::VoxelSelection fromProto(const v1::VoxelSelection& selection, const std::
 model::GlyphColour fromProto(const v1::GlyphColour& colour, const std::string& where);
 model::Convention fromProto(v1::Annotations::Convention convention, const std::string& where);
 model::Light fromProto(const v1::Light& light, const std::string& where);
+model::Uncertainty fromProto(const v1::Uncertainty& uncertainty, const std::string& where);
 model::Scene fromProto(const v1::Scene& scene, const std::string& where);
 model::Quality fromProto(const v1::Quality& quality, const std::string& where);
 model::TensorMarchSettings fromProto(const v1::TensorMarch& settings, const std::string& where);
@@ -40,6 +41,7 @@ v1::Vec3 toProto(const glm::dvec3& vector);
 v1::Camera toProto(const model::Camera& camera);
 v1::GlyphColour toProto(const model::GlyphColour& colour);
 v1::Light toProto(const model::Light& light);
+v1::Uncertainty toProto(const model::Uncertainty& uncertainty);
 v1::Scene toProto(const model::Scene& scene);
 v1::Quality toProto(const model::Quality& quality);
 v1::TensorMarch toProto(const model::TensorMarchSettings& settings);

@@ -47,6 +47,8 @@ model::GlyphLayer fromGlyphs(const v1::GlyphLayer& glyphs, const std::string& wh
     checkEnum(glyphs.negative_lobes(), v1::NegativeLobes_IsValid, v1::NegativeLobes_MAX, where + ".negative_lobes");
     if (glyphs.negative_lobes() == v1::NEGATIVE_LOBES_SHOWN) layer.negative_lobes = model::NegativeLobes::kShown;
     layer.colour = fromProto(glyphs.colour(), where + ".colour");
+    if (glyphs.has_uncertainty()) layer.uncertainty = fromProto(glyphs.uncertainty(), where + ".uncertainty");
+    if (glyphs.has_isotropic_part()) layer.isotropic_part = glyphs.isotropic_part();
     return layer;
 }
 
@@ -98,6 +100,8 @@ v1::GlyphLayer toProto(const model::GlyphLayer& glyphs) {
     message.set_negative_lobes(glyphs.negative_lobes == model::NegativeLobes::kShown ? v1::NEGATIVE_LOBES_SHOWN
                                                                                      : v1::NEGATIVE_LOBES_HIDDEN);
     *message.mutable_colour() = service::toProto(glyphs.colour);
+    if (glyphs.uncertainty) *message.mutable_uncertainty() = service::toProto(*glyphs.uncertainty);
+    message.set_isotropic_part(glyphs.isotropic_part);
     return message;
 }
 

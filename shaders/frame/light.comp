@@ -3,18 +3,22 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
+#include "shaders/shared/uncertainty.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/frame/base_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
+#include "shaders/common/medium.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
+layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
 
+layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 
 layout(push_constant, scalar) uniform Push {
@@ -24,6 +28,7 @@ layout(push_constant, scalar) uniform Push {
     LookBuffer looks;
     BitBuffer shadow_bits;     // blocked rays of each pixel; not read where the scene has no such rays
     BitBuffer occlusion_bits;
+    MediumBuffer media;  // not read without kMedia
 } push;
 
 void main() {
@@ -42,6 +47,10 @@ void main() {
         const vec3 base = baseColour(look, surface.who, offset);
         const vec3 lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         radiance = mix(radiance, lit, look.opacity);
+    }
+    if (kMedia) {
+        const Medium medium = push.media.at[at];
+        radiance = throughMedium(radiance, medium.weighted_emission, medium.optical_depth);
     }
     // Samples are averaged as they are shown, so bright highlights do not leave jagged edges.
     radiance = min(radiance, vec3(1.0));

@@ -22,6 +22,12 @@ struct Case {
 
 v1::GlyphLayer* glyphs(v1::FrameRequest& frame) { return frame.mutable_scene()->mutable_layers(0)->mutable_glyphs(); }
 
+v1::Uncertainty* uncertainty(v1::FrameRequest& frame) {
+    v1::Uncertainty* message = glyphs(frame)->mutable_uncertainty();
+    message->set_dataset_id("any");
+    return message;
+}
+
 std::vector<Case> cases() {
     constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -80,6 +86,22 @@ std::vector<Case> cases() {
          "tensor_march.bisections"},
         {"depth 17", [](F& f) { f.mutable_quality()->mutable_tensor_march()->set_depth(17); }, kInvalid,
          "tensor_march.depth is 17"},
+        {"uncertainty of nothing", [](F& f) { glyphs(f)->mutable_uncertainty(); }, kInvalid, "uncertainty.dataset_id is empty"},
+        {"extinction 0", [](F& f) { uncertainty(f)->set_extinction_per_mm(0); }, kInvalid, "extinction_per_mm is 0"},
+        {"negative extinction", [](F& f) { uncertainty(f)->set_extinction_per_mm(-2); }, kInvalid, "extinction_per_mm is -2"},
+        {"NaN extinction", [](F& f) { uncertainty(f)->set_extinction_per_mm(std::nanf("")); }, kInvalid,
+         "extinction_per_mm is"},
+        {"deviations of glyphs", [](F& f) { uncertainty(f)->set_deviations(2); }, kInvalid, "its kind is not deviations"},
+        {"no deviations",
+         [](F& f) {
+             uncertainty(f)->set_kind(v1::Uncertainty::KIND_DEVIATIONS);
+             uncertainty(f)->set_deviations(0);
+         },
+         kInvalid, "deviations is 0"},
+        {"unknown kind", [](F& f) { uncertainty(f)->set_kind(static_cast<v1::Uncertainty::Kind>(7)); }, kInvalid,
+         "uncertainty.kind is 7"},
+        {"bright emission", [](F& f) { uncertainty(f)->mutable_emission()->set_x(3); }, kInvalid, "emission must be 0 to 1"},
+        {"isotropic part", [](F& f) { glyphs(f)->set_isotropic_part(-1); }, kInvalid, "isotropic_part is -1"},
         {"opacity", [](F& f) { f.mutable_scene()->mutable_layers(0)->set_opacity(0); }, kInvalid, "opacity"},
         {"zero light", [](F& f) { f.mutable_scene()->mutable_light()->mutable_direction_camera(); }, kInvalid,
          "direction_camera"},

@@ -6,6 +6,7 @@
 #include "render/frame/frame_parameters.h"
 #include "render/frame/glyph_passes.h"
 #include "render/frame/light_passes.h"
+#include "render/frame/uncertainty_passes.h"
 #include "render/frame/visibility_passes.h"
 
 namespace radiata::render {
@@ -33,6 +34,10 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
         case plan::PassKind::kShadow:
         case plan::PassKind::kOcclusion:
             return runVisibility(pass_run, pass, visibility_bands_);
+        case plan::PassKind::kUncertaintyTable:
+            return runUncertaintyTable(pass_run, pass);
+        case plan::PassKind::kUncertainty:
+            return runUncertainty(pass_run, pass, uncertainty_bands_);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -46,6 +51,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
             target.samples = 0;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillVisibilityParameters(device_, target, list);
+            fillUncertaintyParameters(device_, target, list);
             target.counters() = Counters{};
         }
         target.frame().jitter = jitterOf(sample) + list.pixel_offset;

@@ -34,7 +34,7 @@ private:
     gpu::CommandRecorder recorder_;
     Pipelines pipelines_;
     ColourTables colour_tables_;
-    BandSize trace_bands_, visibility_bands_{1};
+    BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
 };
 
 }  // namespace radiata::render

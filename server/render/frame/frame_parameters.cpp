@@ -30,6 +30,49 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
 
 }  // namespace
 
+shader::GlyphLayerParams glyphParameters(gpu::Device& device, const Target::Impl& target, LayerBuffers& buffers,
+                                         GlyphScene& scene, const plan::GlyphPlan& glyphs, model::Traversal traversal,
+                                         shader::FrameParams& frame) {
+    shader::GlyphLayerParams params{};
+    params.instances = scene.instanceBuffer().address();
+    params.coefficients = scene.dataset().coefficients().address();
+    params.count = static_cast<std::uint32_t>(scene.instances().size());
+    params.stride = static_cast<std::uint32_t>(scene.dataset().image().layout.count());
+    params.used = glyphs.used;
+    params.both_lobes = glyphs.both_lobes ? 1 : 0;
+    params.tensors = scene.tensorAddress();
+    if (traversal == model::Traversal::kTiles) {
+        const TileLists lists = buildTileLists(scene.instances(), frame.rays, target.width, target.height, kTileShiftX,
+                                               kTileShiftY, kTileEntriesMax);
+        if (!lists.complete) {
+            throw Error(Code::kResourceExhausted, "quality.traversal tiles: this view needs more than " +
+                                                      std::to_string(kTileEntriesMax) + " list entries; use auto or bvh");
+        }
+        ensureBytes(device, buffers.tile_ranges, std::span(lists.ranges).size_bytes(), gpu::Memory::kUpload, "tile ranges");
+        ensureBytes(device, buffers.tile_entries, std::max<std::size_t>(std::span(lists.entries).size_bytes(), 4),
+                    gpu::Memory::kUpload, "tile entries");
+        std::copy(lists.ranges.begin(), lists.ranges.end(), buffers.tile_ranges.as<glm::uvec2>().begin());
+        std::copy(lists.entries.begin(), lists.entries.end(), buffers.tile_entries.as<std::uint32_t>().begin());
+        params.tile_ranges = buffers.tile_ranges.address();
+        params.tile_lists = buffers.tile_entries.address();
+        frame.tiles_x = static_cast<std::uint32_t>(lists.tiles_x);
+        frame.tiles_y = static_cast<std::uint32_t>(lists.tiles_y);
+    } else if (traversal == model::Traversal::kRayQuery && !scene.instances().empty()) {
+        params.acceleration = scene.acceleration().address();
+    } else {
+        params.bvh_nodes = scene.bvhNodes().address();
+        params.bvh_order = scene.bvhOrder().address();
+    }
+    if (glyphs.pole_table && params.count > 0) {
+        const int k = std::stoi(glyphs.layout_name.substr(4));
+        const bool full = glyphs.layout_name.starts_with("full");
+        ensureBytes(device, buffers.table, std::uint64_t{params.count} * poleTableCount(k, full) * 4, gpu::Memory::kDevice,
+                    "pole-frame tables");
+        params.tables = buffers.table.address();
+    }
+    return params;
+}
+
 void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Impl& target, const DrawList& list) {
     shader::FrameParams& frame = target.frame();
     const model::FrameRequest& request = list.plan->resolved;
@@ -41,49 +84,12 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
     frame.ambient = request.scene.light.ambient;
     frame.background = request.scene.background;
     frame.layer_count = static_cast<std::uint32_t>(list.layers.size());
-    const bool tiles = request.quality.traversal == model::Traversal::kTiles;
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
         GlyphScene& scene = *list.layers[i];
         const plan::GlyphPlan& glyphs = list.plan->glyphs[i];
-        shader::GlyphLayerParams params{};
-        params.instances = scene.instanceBuffer().address();
-        params.coefficients = scene.dataset().coefficients().address();
-        params.count = static_cast<std::uint32_t>(scene.instances().size());
-        params.stride = static_cast<std::uint32_t>(scene.dataset().image().layout.count());
-        params.used = glyphs.used;
-        params.both_lobes = glyphs.both_lobes ? 1 : 0;
+        shader::GlyphLayerParams params =
+            glyphParameters(device, target, target.layers[i], scene, glyphs, request.quality.traversal, frame);
         params.layer = static_cast<std::uint32_t>(i);
-        params.tensors = scene.tensorAddress();
-        LayerBuffers& buffers = target.layers[i];
-        if (tiles) {
-            const TileLists lists = buildTileLists(scene.instances(), frame.rays, target.width, target.height, kTileShiftX,
-                                                   kTileShiftY, kTileEntriesMax);
-            if (!lists.complete) {
-                throw Error(Code::kResourceExhausted, "quality.traversal tiles: this view needs more than " +
-                                                          std::to_string(kTileEntriesMax) + " list entries; use auto or bvh");
-            }
-            ensureBytes(device, buffers.tile_ranges, std::span(lists.ranges).size_bytes(), gpu::Memory::kUpload, "tile ranges");
-            ensureBytes(device, buffers.tile_entries, std::max<std::size_t>(std::span(lists.entries).size_bytes(), 4),
-                        gpu::Memory::kUpload, "tile entries");
-            std::copy(lists.ranges.begin(), lists.ranges.end(), buffers.tile_ranges.as<glm::uvec2>().begin());
-            std::copy(lists.entries.begin(), lists.entries.end(), buffers.tile_entries.as<std::uint32_t>().begin());
-            params.tile_ranges = buffers.tile_ranges.address();
-            params.tile_lists = buffers.tile_entries.address();
-            frame.tiles_x = static_cast<std::uint32_t>(lists.tiles_x);
-            frame.tiles_y = static_cast<std::uint32_t>(lists.tiles_y);
-        } else if (request.quality.traversal == model::Traversal::kRayQuery && !scene.instances().empty()) {
-            params.acceleration = scene.acceleration().address();
-        } else {
-            params.bvh_nodes = scene.bvhNodes().address();
-            params.bvh_order = scene.bvhOrder().address();
-        }
-        if (glyphs.pole_table && params.count > 0) {
-            const int k = std::stoi(glyphs.layout_name.substr(4));
-            const bool full = glyphs.layout_name.starts_with("full");
-            ensureBytes(device, buffers.table, std::uint64_t{params.count} * poleTableCount(k, full) * 4, gpu::Memory::kDevice,
-                        "pole-frame tables");
-            params.tables = buffers.table.address();
-        }
         target.layer(i) = params;
         target.look(i) = layerLook(colours, list, i);
     }

@@ -71,14 +71,22 @@ struct Renderer::Impl {
     GlyphScene& scene(model::GlyphLayer layer, const glm::dvec3& centre) {
         layer.colour = {};  // colours change nothing about where glyphs are
         const auto dataset = store.glyphs(layer.dataset_id);
+        const auto uncertainty = layer.uncertainty ? store.glyphs(layer.uncertainty->dataset_id) : nullptr;
+        if (layer.uncertainty) {
+            // How the medium looks changes nothing about where it is.
+            const model::Uncertainty look;
+            layer.uncertainty->extinction_per_mm = look.extinction_per_mm;
+            layer.uncertainty->emission = look.emission;
+        }
         for (auto it = scenes.begin(); it != scenes.end(); ++it) {
             GlyphScene& candidate = **it;
-            if (candidate.layer() == layer && candidate.centreMm() == centre && &candidate.dataset() == dataset.get()) {
+            if (candidate.layer() == layer && candidate.centreMm() == centre && &candidate.catalogued() == dataset.get() &&
+                candidate.cataloguedUncertainty() == uncertainty.get()) {
                 scenes.splice(scenes.begin(), scenes, it);
                 return candidate;
             }
         }
-        scenes.push_front(std::make_unique<GlyphScene>(device, dataset, layer, centre));
+        scenes.push_front(std::make_unique<GlyphScene>(device, dataset, layer, centre, uncertainty));
         if (scenes.size() > kScenesKept) scenes.pop_back();
         return *scenes.front();
     }
@@ -210,9 +218,9 @@ std::vector<std::string> Renderer::traversals() const {
     return names;
 }
 
-std::size_t Renderer::pipelineCount() const { return impl_->drawer.pipelines().count(); }
-
 const std::string& Renderer::deviceName() const { return impl_->device_name; }
+
+std::size_t Renderer::pipelineCount() const { return impl_->drawer.pipelines().count(); }
 
 model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::VoxelSelection& selection,
                                   model::Convention convention, double aspect) {

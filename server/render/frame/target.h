@@ -8,6 +8,7 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/shared/layer_look.glsl"
+#include "shaders/shared/uncertainty.glsl"
 
 namespace radiata::render {
 
@@ -20,6 +21,13 @@ struct Counters {
 struct LayerBuffers {
     gpu::Buffer tile_ranges, tile_entries, table;
     gpu::Buffer sun_ranges, sun_entries, sun_table;  ///< the same along the light's direction
+};
+
+/// Of layers' second glyphs; all empty where no layer has them.
+struct UncertaintyBuffers {
+    gpu::Buffer params;  ///< shader::UncertaintyParams[layers]
+    gpu::Buffer media;   ///< shader::Medium[pixels], of the latest sample
+    std::vector<LayerBuffers> layers;
 };
 
 struct Target::Impl {
@@ -35,6 +43,7 @@ struct Target::Impl {
     gpu::Buffer occlusion_bits;  ///< the same for rays of ambient occlusion
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
+    UncertaintyBuffers uncertainty;
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);

@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "build/bvh.h"
-#include "build/ellipsoid.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "math/two_floats.h"
@@ -20,14 +19,6 @@ constexpr float kLargestValue = 3e38F;  // below the mark of glyphs without a va
 
 glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
     return glm::dvec3(image.voxel_to_world * glm::dvec4(glm::dvec3(image.voxels[slot]), 1.0));
-}
-
-/// mm per unit of amplitude.
-double scaleOf(const model::GlyphScale& scale, double half_voxel, float dataset_typical, float glyph_max) {
-    const double factor = scale.factor;
-    if (scale.mode == model::ScaleMode::kAbsolute) return factor;
-    const double largest = scale.mode == model::ScaleMode::kGlobal ? dataset_typical : glyph_max;
-    return largest > 0 ? factor * half_voxel / largest : 0;
 }
 
 }  // namespace
@@ -53,9 +44,23 @@ plan::SceneBounds selectionBounds(const store::GlyphDataset& dataset, const mode
 }
 
 GlyphScene::GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
+                       const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty)
+    : GlyphScene(device, shownGlyphs(device, dataset, layer), layer, centre_mm) {
+    if (uncertainty) {
+        uncertain_.reset(new GlyphScene(device, uncertainGlyphs(device, dataset, uncertainty, layer), layer, centre_mm));
+        if (!uncertain_->instances_.empty()) {
+            bounds_.minimum = glm::min(bounds_.minimum, uncertain_->bounds_.minimum);
+            bounds_.maximum = glm::max(bounds_.maximum, uncertain_->bounds_.maximum);
+        }
+    }
+    catalogued_ = std::move(dataset);
+    catalogued_uncertainty_ = std::move(uncertainty);
+}
+
+GlyphScene::GlyphScene(gpu::Device& device, const GlyphSource& source, const model::GlyphLayer& layer,
                        const glm::dvec3& centre_mm)
-    : device_(device), dataset_(std::move(dataset)), layer_(layer), centre_mm_(centre_mm) {
-    makeInstances(layer);
+    : device_(device), dataset_(source.dataset), catalogued_(source.dataset), layer_(layer), centre_mm_(centre_mm) {
+    makeInstances(source);
     const std::uint64_t bytes = std::max<std::uint64_t>(instances_.size(), 1) * sizeof(shader::GlyphInstance);
     instance_buffer_ = gpu::Buffer(device_, bytes, gpu::Memory::kDevice, "glyph instances");
     if (!instances_.empty()) gpu::upload(device_, instance_buffer_, 0, std::as_bytes(std::span(instances_)));
@@ -70,38 +75,16 @@ std::uint64_t GlyphScene::tensorAddress() const {
     return dataset_->tensors() ? dataset_->tensors().address() : 0;
 }
 
-std::vector<GlyphBounds> GlyphScene::ellipsoidBounds(const std::vector<std::uint32_t>& slots) {
-    const model::ShImage& image = dataset_->image();
-    if (image.tensor_order != 2) return std::vector<GlyphBounds>(slots.size());  // the plan refuses such a layer
-    std::vector<GlyphBounds> boxes;
-    for (const std::uint32_t slot : slots) {
-        const Ellipsoid ellipsoid = ellipsoidOf(std::span(image.tensors).subspan(std::size_t{slot} * 6, 6));
-        boxes.push_back({-ellipsoid.extent, ellipsoid.extent, ellipsoid.radius, ellipsoid.longest});
-        ellipsoids_.push_back(ellipsoid.inverse);
-    }
-    return boxes;
-}
-
-void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
-    const model::ShImage& image = dataset_->image();
-    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
-    const int limit = image.layout.full ? lmax : lmax - lmax % 2;
-    const std::vector<std::uint32_t> slots = selectVoxels(image, layer.selection);
-    const bool ellipsoids = layer.tensor == model::TensorShape::kEllipsoid;
-    const std::vector<GlyphBounds> boxes =
-        ellipsoids ? ellipsoidBounds(slots)
-                   : dataset_->bounds(slots, limit, layer.negative_lobes == model::NegativeLobes::kShown);
-    std::vector<std::array<float, 6>> shown_ellipsoids;
-    const double half_voxel = halfVoxel(image);
+void GlyphScene::makeInstances(const GlyphSource& source) {
+    const std::vector<GlyphBounds>& boxes = source.bounds;
     bounds_.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
     bounds_.maximum = -bounds_.minimum;
-    instances_.reserve(slots.size());
-    for (std::size_t i = 0; i < slots.size(); ++i) {
-        const double scale = scaleOf(layer.scale, half_voxel, dataset_->info().amplitude_typical, boxes[i].amplitude_max);
-        const auto mm = static_cast<float>(scale);
+    instances_.reserve(source.slots.size());
+    for (std::size_t i = 0; i < source.slots.size(); ++i) {
+        const auto mm = static_cast<float>(source.scales[i]);
         // Glyphs without a visible lobe, or too small or large for float, have nothing to hit.
         if (!(boxes[i].radius * mm > 1e-20F) || !(boxes[i].radius * mm < 1e18F) || !std::isnormal(mm)) continue;
-        const glm::dvec3 world = worldOf(image, slots[i]);
+        const glm::dvec3 world = worldOf(dataset_->image(), source.slots[i]);
         const glm::dvec3 relative = world - centre_mm_;
         shader::GlyphInstance glyph{};
         const TwoFloats centre = twoFloats(relative);
@@ -111,14 +94,13 @@ void GlyphScene::makeInstances(const model::GlyphLayer& layer) {
         glyph.radius = boxes[i].radius * mm;
         glyph.box_min = boxes[i].min * mm;
         glyph.box_max = boxes[i].max * mm;
-        glyph.slot = slots[i];
+        glyph.slot = source.slots[i];
         instances_.push_back(glyph);
-        if (ellipsoids) shown_ellipsoids.push_back(ellipsoids_[i]);
+        if (!source.ellipsoids.empty()) ellipsoids_.push_back(source.ellipsoids[i]);
         largest_radius_ = std::max(largest_radius_, glyph.radius);
         bounds_.minimum = glm::min(bounds_.minimum, world + glm::dvec3(glyph.box_min));
         bounds_.maximum = glm::max(bounds_.maximum, world + glm::dvec3(glyph.box_max));
     }
-    ellipsoids_ = std::move(shown_ellipsoids);
     if (instances_.empty()) bounds_.minimum = bounds_.maximum = centre_mm_;
 }
 
@@ -192,14 +174,15 @@ double GlyphScene::depthAlong(const glm::dvec3& direction) const {
 plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width, int height) const {
     plan::LayerFacts facts;
     facts.layout = dataset_->image().layout;
-    facts.tensor_order = dataset_->image().tensor_order;
+    facts.tensor_order = catalogued_->image().tensor_order;
     facts.glyphs = instances_.size();
-    facts.glyphs_available = dataset_->image().voxels.size();
-    const double typical = dataset_->info().amplitude_typical;
+    const double typical = catalogued_->info().amplitude_typical;
     facts.radius_typical_mm = layer_.scale.mode == model::ScaleMode::kAbsolute
                                   ? layer_.scale.factor * typical
                                   : layer_.scale.factor * halfVoxel(dataset_->image());
     facts.voxel_edge_mm = 2 * halfVoxel(dataset_->image());
+    facts.glyphs_available = catalogued_->image().voxels.size();
+    if (uncertain_) facts.uncertainty = {uncertain_->facts(camera, width, height)};
     if (instances_.empty()) return facts;
     const shader::CameraRays& rays = camera.rays;
     const glm::vec3 right = rays.step_right / glm::dot(rays.step_right, rays.step_right);

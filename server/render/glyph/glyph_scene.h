@@ -13,6 +13,7 @@
 #include "model/scene.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
+#include "render/glyph/glyph_source.h"
 #include "shaders/shared/glyph.glsl"
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
@@ -22,11 +23,18 @@ namespace radiata::render {
 /// Everything about a layer that does not depend on the camera. Boxes are relative to `centre_mm`.
 class GlyphScene {
 public:
+    /// \param uncertainty  the dataset that layer.uncertainty names; null: none
     /// \throws Error(kInvalidArgument, kResourceExhausted)
     GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
-               const glm::dvec3& centre_mm);
+               const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty = nullptr);
 
+    /// What is drawn, which may be a copy made for this layer.
     const store::GlyphDataset& dataset() const { return *dataset_; }
+    /// What the layer names.
+    const store::GlyphDataset& catalogued() const { return *catalogued_; }
+    const store::GlyphDataset* cataloguedUncertainty() const { return catalogued_uncertainty_.get(); }
+    /// The second glyphs of a layer with uncertainty; null: none.
+    GlyphScene* uncertain() const { return uncertain_.get(); }
     const model::GlyphLayer& layer() const { return layer_; }
     const glm::dvec3& centreMm() const { return centre_mm_; }
     const std::vector<shader::GlyphInstance>& instances() const { return instances_; }
@@ -51,13 +59,13 @@ public:
     plan::LayerFacts facts(const plan::RebasedCamera& camera, int width, int height) const;
 
 private:
-    void makeInstances(const model::GlyphLayer& layer);
-    /// The boxes of ellipsoids in place of those of the Reynolds glyphs; fills ellipsoids_.
-    std::vector<GlyphBounds> ellipsoidBounds(const std::vector<std::uint32_t>& slots);
+    GlyphScene(gpu::Device& device, const GlyphSource& source, const model::GlyphLayer& layer, const glm::dvec3& centre_mm);
+    void makeInstances(const GlyphSource& source);
     void buildHierarchy();
 
     gpu::Device& device_;
-    std::shared_ptr<const store::GlyphDataset> dataset_;
+    std::shared_ptr<const store::GlyphDataset> dataset_, catalogued_, catalogued_uncertainty_;
+    std::unique_ptr<GlyphScene> uncertain_;
     model::GlyphLayer layer_;
     glm::dvec3 centre_mm_;
     std::vector<shader::GlyphInstance> instances_;

@@ -17,6 +17,8 @@ const std::vector<Experiment>& experiments() {
          petersFig3},
         {"peters-fig4", "Peters et al. 2023, Fig. 4: what hard and soft shadows and ambient occlusion add to the glyph passes",
          petersFig4},
+        {"peters-fig5", "Peters et al. 2023, Fig. 5: what uncertainty adds to the glyph passes, in whole and in a close-up",
+         petersFig5},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
         {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",
          hlawitschkaFig5},

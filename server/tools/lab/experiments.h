@@ -8,6 +8,7 @@ namespace radiata::lab {
 Report glyphFrame(gpu::Device& device, const Options& options);
 Report marchVersusPolynomial(gpu::Device& device, const Options& options);
 Report petersFig4(gpu::Device& device, const Options& options);
+Report petersFig5(gpu::Device& device, const Options& options);
 Report glyphPareto(gpu::Device& device, const Options& options);
 Report petersBounds(gpu::Device& device, const Options& options);
 Report petersFig1(gpu::Device& device, const Options& options);
