@@ -17,6 +17,7 @@ struct Abilities {
     bool bvh = true;  ///< these two may have failed the start-up self-test
     bool tiles = true;
     bool software = false;  ///< a CPU rasteriser
+    bool raster = false;    ///< draws triangles
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -51,7 +52,19 @@ struct VisibilityPlan {
     std::string sun_table_reason;
 };
 
-enum class PassKind { kGlyphTable, kGlyphTrace, kSunTable, kShadow, kOcclusion, kLight, kResolve };
+enum class PassKind {
+    kGlyphTable,
+    kGlyphTrace,
+    kGlyphBoxes,       ///< boxes drawn, one march per fragment
+    kGlyphTessellate,  ///< runs part by part together with the next
+    kGlyphMesh,
+    kRasterSurface,  ///< what was drawn, into the surface buffer
+    kSunTable,
+    kShadow,
+    kOcclusion,
+    kLight,
+    kResolve
+};
 
 /// One pass, in order of execution.
 struct PassPlan {

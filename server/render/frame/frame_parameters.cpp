@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "build/tile_lists.h"
 #include "gpu/device.h"
+#include "plan/plan_raster.h"
 
 namespace radiata::render {
 namespace {
@@ -73,7 +74,7 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
             frame.tiles_y = static_cast<std::uint32_t>(lists.tiles_y);
         } else if (request.quality.traversal == model::Traversal::kRayQuery && !scene.instances().empty()) {
             params.acceleration = scene.acceleration().address();
-        } else {
+        } else if (!plan::isRasterised(request.quality)) {
             params.bvh_nodes = scene.bvhNodes().address();
             params.bvh_order = scene.bvhOrder().address();
         }

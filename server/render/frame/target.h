@@ -1,6 +1,7 @@
 // Device buffers of one view. See render/frame/renderer.h for who may use them.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -22,7 +23,11 @@ struct LayerBuffers {
     gpu::Buffer sun_ranges, sun_entries, sun_table;  ///< the same along the light's direction
 };
 
+struct RasterBuffers;
+
 struct Target::Impl {
+    Impl();
+    ~Impl();
     int width = 0, height = 0;
     int samples = 0;               ///< in the light buffer
     std::uint64_t hit_pixels = 0;  ///< of the first of them
@@ -35,6 +40,7 @@ struct Target::Impl {
     gpu::Buffer occlusion_bits;  ///< the same for rays of ambient occlusion
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
+    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
