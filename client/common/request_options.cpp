@@ -108,6 +108,19 @@ void setColour(v1::GlyphLayer& glyphs, const RequestOptions& options) {
     }
 }
 
+void setTessellation(v1::Quality& quality, const RequestOptions& options) {
+    const bool given = options.mesh != v1::SPHERE_MESH_UNSPECIFIED || options.mesh_level ||
+                       options.mesh_normals != v1::MESH_NORMALS_UNSPECIFIED;
+    if (!given) return;
+    if (options.intersection != v1::INTERSECTION_METHOD_TESSELLATED) {
+        refuse("--mesh, --mesh-level and --mesh-normals go with --intersection tessellated only");
+    }
+    v1::Tessellation& tessellation = *quality.mutable_tessellation();
+    tessellation.set_mesh(options.mesh);
+    if (options.mesh_level) tessellation.set_level(*options.mesh_level);
+    tessellation.set_normals(options.mesh_normals);
+}
+
 void setQuality(v1::Quality& quality, const RequestOptions& options) {
     if (options.samples) quality.set_samples(*options.samples);
     quality.set_intersection(options.intersection);
@@ -115,6 +128,7 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     quality.set_pole_table(options.pole_table);
     quality.set_sun_table(options.sun_table);
     if (options.tensors.march.ByteSizeLong() > 0) *quality.mutable_tensor_march() = options.tensors.march;
+    setTessellation(quality, options);
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
 }
 
@@ -176,6 +190,10 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addWords(app, "--pole-table", options.pole_table, v1::PoleTable_descriptor(), "Pole-frame table (default auto)", "auto");
     addWords(app, "--sun-table", options.sun_table, v1::PoleTable_descriptor(), "The same for hard shadows (default auto)",
              "auto");
+    addWords(app, "--mesh", options.mesh, v1::SphereMesh_descriptor(), "Sphere of tessellated glyphs (default icosphere)");
+    app.add_option("--mesh-level", options.mesh_level, "Subdivisions of that sphere, or bands of a grid (default 4, grids 20)");
+    addWords(app, "--mesh-normals", options.mesh_normals, v1::MeshNormals_descriptor(),
+             "Normals of tessellated glyphs (default analytic)");
     app.add_option("--jpeg-quality", options.jpeg_quality, "Quality of JPEG pictures, 1 to 100 (default 90)");
     addLightOptions(app, options.light);
     app.add_flag("--casts-no-shadows", options.no_casting, "The glyphs stand in nobody's light");

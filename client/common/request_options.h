@@ -48,6 +48,9 @@ struct RequestOptions {
     v1::Traversal traversal = v1::TRAVERSAL_UNSPECIFIED;
     v1::PoleTable pole_table = v1::POLE_TABLE_UNSPECIFIED;
     v1::PoleTable sun_table = v1::POLE_TABLE_UNSPECIFIED;
+    v1::SphereMesh mesh = v1::SPHERE_MESH_UNSPECIFIED;
+    std::optional<std::uint32_t> mesh_level;
+    v1::MeshNormals mesh_normals = v1::MESH_NORMALS_UNSPECIFIED;
     std::optional<std::uint32_t> jpeg_quality;
     LightOptions light;
     bool no_casting = false;

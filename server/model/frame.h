@@ -8,11 +8,12 @@
 
 #include "model/camera.h"
 #include "model/scene.h"
+#include "model/tessellation.h"
 
 namespace radiata::model {
 
-enum class Intersection { kMarch, kPolynomial, kTensorMarch, kTensorInterval, kTensorAffine };
-enum class Traversal { kAuto, kRayQuery, kBvh, kTiles };
+enum class Intersection { kMarch, kPolynomial, kTensorMarch, kTensorInterval, kTensorAffine, kTessellated };
+enum class Traversal { kAuto, kRayQuery, kBvh, kTiles, kRasterBoxes };
 enum class PoleTable { kAuto, kOn, kOff };
 
 /// Settings of the methods that draw tensors themselves; Hlawitschka et al., Sec. 4 and 5.
@@ -33,6 +34,7 @@ struct Quality {
     PoleTable sun_table = PoleTable::kAuto;  ///< for rays towards the light of hard shadows
     bool polynomial_bracket_stop = true;     ///< the polynomial solver stops on the bracket's width; false: as its paper does
     TensorMarchSettings tensor_march;
+    Tessellation tessellation;  ///< for kTessellated
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

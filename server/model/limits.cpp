@@ -165,6 +165,7 @@ void validate(const FrameRequest& request, const Limits& limits) {
         refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
     }
     checkTensorMarch(request.quality.tensor_march);
+    if (request.quality.intersection == Intersection::kTessellated) validate(request.quality.tessellation);
     checkScene(request.scene, limits);
     const bool tensor_method =
         request.quality.intersection != Intersection::kMarch && request.quality.intersection != Intersection::kPolynomial;

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/plan_uncertainty.h"
+#include "plan/plan_raster.h"
 #include "plan/plan_visibility.h"
 #include "plan/tensor_methods.h"
 
@@ -26,6 +27,8 @@ std::string_view name(model::Traversal traversal) {
             return "bvh";
         case model::Traversal::kTiles:
             return "tiles";
+        case model::Traversal::kRasterBoxes:
+            return "raster_boxes";
         case model::Traversal::kAuto:
             break;
     }
@@ -40,6 +43,8 @@ bool able(model::Traversal traversal, const Abilities& abilities) {
             return abilities.bvh;
         case model::Traversal::kTiles:
             return abilities.tiles;
+        case model::Traversal::kRasterBoxes:
+            return abilities.raster;
         case model::Traversal::kAuto:
             return true;
     }
@@ -49,6 +54,10 @@ bool able(model::Traversal traversal, const Abilities& abilities) {
 /// The traversal and why. One for the whole frame, so that layers need no structure of another kind.
 model::Traversal chooseTraversal(const model::FrameRequest& request, const std::vector<LayerFacts>& layers,
                                  const Abilities& abilities, std::string& reason) {
+    if (request.quality.intersection == model::Intersection::kTessellated) {
+        reason = "none: deformed spheres are drawn, and no boxes are looked for";
+        return model::Traversal::kAuto;
+    }
     const model::Traversal wanted = request.quality.traversal;
     if (wanted != model::Traversal::kAuto) {
         if (!able(wanted, abilities)) {
@@ -118,6 +127,10 @@ bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool t
         reason = "off: tensors are drawn without spherical harmonics";
         return false;
     }
+    if (method == model::Intersection::kTessellated) {
+        reason = "off: deformed spheres are drawn, not traced";
+        return false;
+    }
     if (wanted == model::PoleTable::kOff) {
         reason = "off: asked for";
         return false;
@@ -184,6 +197,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     const model::Intersection method = request.quality.intersection;
     const model::Traversal traversal = chooseTraversal(request, layers, abilities, plan.traversal_reason);
     plan.resolved.quality.traversal = traversal;
+    checkRaster(plan.resolved.quality, abilities);
     const std::string kind = traversal == model::Traversal::kRayQuery ? "query_" : "trace_";
     const std::string solver = method == model::Intersection::kPolynomial ? "polynomial_" : "";
     const TableUse table_use = tableUse(request.scene.layers, layers);
@@ -205,7 +219,12 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
             plan.passes.push_back({PassKind::kGlyphTable, "glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
         }
         const std::string drawn = tensors.empty() ? solver + kind + glyphs.layout_name : kind + tensors;
-        plan.passes.push_back({PassKind::kGlyphTrace, "glyph trace" + suffix, "glyph_" + drawn, layer});
+        if (isRasterised(plan.resolved.quality)) {
+            checkRasterLayer(i, tensors);
+            planRaster(glyphs, layers[i], suffix, layer, plan);
+        } else {
+            plan.passes.push_back({PassKind::kGlyphTrace, "glyph trace" + suffix, "glyph_" + drawn, layer});
+        }
         plan.glyphs.push_back(std::move(glyphs));
     }
     plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;

@@ -19,6 +19,7 @@ struct Abilities {
     bool bvh = true;  ///< these two may have failed the start-up self-test
     bool tiles = true;
     bool software = false;  ///< a CPU rasteriser
+    bool raster = false;    ///< draws triangles
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -59,6 +60,10 @@ enum class PassKind {
     kGlyphTrace,
     kUncertaintyTable,
     kUncertainty,
+    kGlyphBoxes,       ///< boxes drawn, one march per fragment
+    kGlyphTessellate,  ///< runs part by part together with the next
+    kGlyphMesh,
+    kRasterSurface,  ///< what was drawn, into the surface buffer
     kSunTable,
     kShadow,
     kOcclusion,

@@ -27,6 +27,7 @@ model::Convention fromProto(v1::Annotations::Convention convention, const std::s
 model::Light fromProto(const v1::Light& light, const std::string& where);
 model::Uncertainty fromProto(const v1::Uncertainty& uncertainty, const std::string& where);
 model::Scene fromProto(const v1::Scene& scene, const std::string& where);
+model::Tessellation fromProto(const v1::Tessellation& tessellation, const std::string& where);
 model::Quality fromProto(const v1::Quality& quality, const std::string& where);
 model::TensorMarchSettings fromProto(const v1::TensorMarch& settings, const std::string& where);
 model::TensorShape fromProto(v1::TensorShape shape, const std::string& where);
@@ -43,6 +44,7 @@ v1::GlyphColour toProto(const model::GlyphColour& colour);
 v1::Light toProto(const model::Light& light);
 v1::Uncertainty toProto(const model::Uncertainty& uncertainty);
 v1::Scene toProto(const model::Scene& scene);
+v1::Tessellation toProto(const model::Tessellation& tessellation);
 v1::Quality toProto(const model::Quality& quality);
 v1::TensorMarch toProto(const model::TensorMarchSettings& settings);
 v1::TensorShape toProto(model::TensorShape shape);

@@ -18,6 +18,8 @@ v1::IntersectionMethod toProto(model::Intersection method) {
             return v1::INTERSECTION_METHOD_TENSOR_INTERVAL;
         case model::Intersection::kTensorAffine:
             return v1::INTERSECTION_METHOD_TENSOR_AFFINE;
+        case model::Intersection::kTessellated:
+            return v1::INTERSECTION_METHOD_TESSELLATED;
     }
     return v1::INTERSECTION_METHOD_MARCH;
 }
@@ -75,6 +77,8 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     if (quality.intersection() == v1::INTERSECTION_METHOD_POLYNOMIAL) result.intersection = model::Intersection::kPolynomial;
+    if (quality.intersection() == v1::INTERSECTION_METHOD_TESSELLATED) result.intersection = model::Intersection::kTessellated;
+    result.tessellation = fromProto(quality.tessellation(), where + ".tessellation");
     switch (quality.traversal()) {
         case v1::TRAVERSAL_RAY_QUERY:
             result.traversal = model::Traversal::kRayQuery;
@@ -84,6 +88,9 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
             break;
         case v1::TRAVERSAL_TILES:
             result.traversal = model::Traversal::kTiles;
+            break;
+        case v1::TRAVERSAL_RASTER_BOXES:
+            result.traversal = model::Traversal::kRasterBoxes;
             break;
         default:
             break;
@@ -108,6 +115,8 @@ v1::Quality toProto(const model::Quality& quality) {
     message.set_intersection(toProto(quality.intersection));
     // Settings are echoed where they had a say.
     if (plan::drawsTensors(quality.intersection)) *message.mutable_tensor_march() = toProto(quality.tensor_march);
+    if (quality.intersection == model::Intersection::kTessellated)
+        *message.mutable_tessellation() = toProto(quality.tessellation);
     switch (quality.traversal) {
         case model::Traversal::kAuto:
             break;
@@ -119,6 +128,9 @@ v1::Quality toProto(const model::Quality& quality) {
             break;
         case model::Traversal::kTiles:
             message.set_traversal(v1::TRAVERSAL_TILES);
+            break;
+        case model::Traversal::kRasterBoxes:
+            message.set_traversal(v1::TRAVERSAL_RASTER_BOXES);
             break;
     }
     if (quality.pole_table == model::PoleTable::kOn) message.set_pole_table(v1::POLE_TABLE_ON);

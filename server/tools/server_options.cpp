@@ -67,7 +67,7 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_option("--without", options.device.without, "Device feature to leave unused, e.g. ray_query; may be repeated");
     app.add_flag("--validation", options.device.validation, "Vulkan validation layers, with synchronisation validation");
     app.add_option("--traversal", texts.traversal, "Way of finding glyphs for requests that leave it open")
-        ->check(CLI::IsMember({"auto", "ray_query", "bvh", "tiles"}));
+        ->check(CLI::IsMember({"auto", "ray_query", "bvh", "tiles", "raster_boxes"}));
     app.add_option("--sh-convention", texts.convention,
                    "How to read SH images: descoteaux07, descoteaux07_legacy, tournier07, mrtrix0.2");
     app.add_option("--sh-axes", texts.axes, "Axes of the directions in SH images: world, voxel");
@@ -101,6 +101,7 @@ void finish(ProgramOptions& options, const Texts& texts) {
         if (!texts.tensor_axes.empty()) how.axes = shAxesFromName(texts.tensor_axes);
         options.tensors.emplace_back(how, text.substr(equals + 1));
     }
+    if (texts.traversal == "raster_boxes") options.traversal = model::Traversal::kRasterBoxes;
     for (const std::string& limit : texts.limits) applyLimit(limit, options.settings.limits);
 }
 

@@ -11,7 +11,9 @@
 #include "shaders/common/circle_march.glsl"
 #include "shaders/common/pole_frame.glsl"
 
+#ifndef GLYPH_WITHOUT_GROUPS  // fragment shaders
 layout(local_size_x_id = 0) in;
+#endif
 layout(constant_id = 1) const uint kTraversal = 0u;      // 0: compute hierarchy, 1: tile lists (ray queries are modules of their own)
 layout(constant_id = 2) const bool kPoleTable = false;   // circles from the pole-frame table instead of from samples
 layout(constant_id = 3) const bool kBothLobes = false;   // negative lobes are drawn too

@@ -28,7 +28,7 @@ protected:
     /// Traversals give the same floats for the same ray, so nothing may differ between them. The table rounds differently: it
     /// may move a hit by 2e-5 radii, across the surface where it is seen at a grazing angle. Ids are equal in every pixel.
     void holdAgreement(model::FrameRequest request, double radius_mm) {
-        ASSERT_EQ(renderer.traversals(), (std::vector<std::string>{"ray_query", "bvh", "tiles"}));
+        ASSERT_EQ(renderer.traversals(), (std::vector<std::string>{"ray_query", "bvh", "tiles", "raster_boxes"}));
         model::Frame first;
         for (const model::PoleTable table : {model::PoleTable::kOff, model::PoleTable::kOn}) {
             model::Frame of_table;

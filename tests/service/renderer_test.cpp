@@ -180,8 +180,10 @@ TEST_F(RendererTest, TheTraversalAskedForIsTheOneThatRan) {
     grpc::ClientContext context;
     v1::GetLimitsResponse limits;
     ASSERT_TRUE(v1::LimitsService::NewStub(channel)->GetLimits(&context, {}, &limits).ok());
-    const std::pair<const char*, v1::Traversal> all[] = {
-        {"ray_query", v1::TRAVERSAL_RAY_QUERY}, {"bvh", v1::TRAVERSAL_BVH}, {"tiles", v1::TRAVERSAL_TILES}};
+    const std::pair<const char*, v1::Traversal> all[] = {{"ray_query", v1::TRAVERSAL_RAY_QUERY},
+                                                         {"bvh", v1::TRAVERSAL_BVH},
+                                                         {"tiles", v1::TRAVERSAL_TILES},
+                                                         {"raster_boxes", v1::TRAVERSAL_RASTER_BOXES}};
     const std::vector<std::string> there = engine->renderer.traversals();
     EXPECT_FALSE(there.empty());
     for (const auto& [name, traversal] : all) {
@@ -200,6 +202,34 @@ TEST_F(RendererTest, TheTraversalAskedForIsTheOneThatRan) {
         EXPECT_EQ(frame.methods().traversal_reason(), "asked for");
         EXPECT_GT(frame.counters().hit_pixels(), 0U) << name;
     }
+}
+
+TEST_F(RendererTest, TessellatedGlyphsAreDrawnAsAskedForAndEchoed) {
+    v1::FrameRequest request = slice();
+    request.mutable_quality()->set_intersection(v1::INTERSECTION_METHOD_TESSELLATED);
+    v1::Tessellation& wanted = *request.mutable_quality()->mutable_tessellation();
+    v1::Frame frame, again;
+    grpc::Status status = render(request, frame);
+    ASSERT_TRUE(status.ok()) << status.error_message();
+    EXPECT_EQ(frame.request().quality().intersection(), v1::INTERSECTION_METHOD_TESSELLATED);
+    EXPECT_EQ(frame.request().quality().tessellation().mesh(), v1::SPHERE_MESH_ICOSPHERE);
+    EXPECT_EQ(frame.request().quality().tessellation().level(), 4U);
+    EXPECT_EQ(frame.request().quality().tessellation().normals(), v1::MESH_NORMALS_ANALYTIC);
+    EXPECT_GT(frame.counters().hit_pixels(), 0U);
+    ASSERT_TRUE(render(frame.request(), again).ok());
+    EXPECT_TRUE(again.image() == frame.image());
+    wanted.set_mesh(v1::SPHERE_MESH_LATITUDE_LONGITUDE);
+    wanted.set_normals(v1::MESH_NORMALS_TRIANGLE);
+    ASSERT_TRUE(render(request, again).ok());
+    EXPECT_EQ(again.request().quality().tessellation().level(), 20U);
+    EXPECT_EQ(again.request().quality().tessellation().normals(), v1::MESH_NORMALS_TRIANGLE);
+    EXPECT_FALSE(again.image() == frame.image());
+    wanted.set_level(200);
+    status = render(request, frame);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
+    EXPECT_THAT(status.error_message(), HasSubstr("quality.tessellation.level is 200"));
+    wanted.set_mesh(static_cast<v1::SphereMesh>(9));
+    EXPECT_EQ(render(request, frame).error_code(), grpc::StatusCode::INVALID_ARGUMENT);
 }
 
 TEST_F(RendererTest, FitCameraShowsTheSelection) {

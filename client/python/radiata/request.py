@@ -73,7 +73,8 @@ def glyph_colour(colour=None, colour_map=None, colour_range=None, colour_image=N
 
 def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, position_mm=None, normal=None, slab_mm=None,
                   volume=False, scale=None, factor=None, lmax=None, lobes=None, opacity=None, convention=None,
-                  annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, jpeg_quality=None,
+                  annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, mesh=None, mesh_level=None,
+                  mesh_normals=None, jpeg_quality=None,
                   light=None, irradiance=None, ambient=None, background=None, colour=None, colour_map=None, colour_range=None,
                   colour_image=None, light_world=None, shadow=None, light_radius_deg=None, shadow_rays=None,
                   occlusion_rays=None, occlusion_radius_mm=None, casts_shadows=None, sun_table=None, tensor_glyphs=None,
@@ -100,6 +101,11 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
         quality.tensor_march.CopyFrom(quality_pb2.TensorMarch(**tensor_march))
     quality.traversal = enum_value(quality_pb2.Traversal, "TRAVERSAL_", traversal)
     quality.pole_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", pole_table)
+    if (mesh, mesh_level, mesh_normals) != (None, None, None):
+        quality.tessellation.mesh = enum_value(quality_pb2.SphereMesh, "SPHERE_MESH_", mesh)
+        quality.tessellation.normals = enum_value(quality_pb2.MeshNormals, "MESH_NORMALS_", mesh_normals)
+        if mesh_level is not None:
+            quality.tessellation.level = mesh_level
     quality.sun_table = enum_value(quality_pb2.PoleTable, "POLE_TABLE_", sun_table)
     request.scene.light.shadow = enum_value(scene_pb2.Shadow, "SHADOW_", shadow)
     occlusion = {"rays": occlusion_rays, "radius_mm": occlusion_radius_mm}

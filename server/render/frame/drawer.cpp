@@ -38,6 +38,14 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runUncertaintyTable(pass_run, pass);
         case plan::PassKind::kUncertainty:
             return runUncertainty(pass_run, pass, uncertainty_bands_);
+        case plan::PassKind::kGlyphBoxes:
+            return runGlyphBoxes(pass_run, pass, false, boxes_size_);
+        case plan::PassKind::kGlyphTessellate:
+            return;  // with the mesh that it makes
+        case plan::PassKind::kGlyphMesh:
+            return runGlyphMesh(pass_run, pass, mesh_size_);
+        case plan::PassKind::kRasterSurface:
+            return runRasterSurface(pass_run, pass);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -57,6 +65,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         target.frame().jitter = jitterOf(sample) + list.pixel_offset;
         target.frame().sample_index = static_cast<std::uint32_t>(sample);
         PassRun pass_run{device_, recorder_, pipelines_, target, list, sample, cancel};
+        prepareRaster(pass_run);
         for (const plan::PassPlan& pass : list.plan->passes) run(pass_run, pass);
         recorder_.submitAndWait();
         target.samples = sample + 1;
@@ -78,6 +87,7 @@ void Drawer::drawBoxes(Target::Impl& target, const DrawList& list) {
     PassRun pass_run{device_, recorder_, pipelines_, target, list};
     for (const plan::PassPlan& pass : list.plan->passes) {
         if (pass.kind == plan::PassKind::kGlyphTrace) runGlyphTrace(pass_run, pass, true, trace_bands_);
+        if (pass.kind == plan::PassKind::kGlyphBoxes) runGlyphBoxes(pass_run, pass, true, boxes_size_);
     }
 }
 

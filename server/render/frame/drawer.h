@@ -6,6 +6,7 @@
 
 #include "render/frame/colour_tables.h"
 #include "render/frame/pass_run.h"
+#include "render/frame/raster_passes.h"
 
 namespace radiata::render {
 
@@ -35,6 +36,7 @@ private:
     Pipelines pipelines_;
     ColourTables colour_tables_;
     BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
+    DrawSize boxes_size_, mesh_size_;
 };
 
 }  // namespace radiata::render

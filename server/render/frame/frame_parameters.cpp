@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "build/tile_lists.h"
 #include "gpu/device.h"
+#include "plan/plan_raster.h"
 
 namespace radiata::render {
 namespace {
@@ -31,8 +32,8 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
 }  // namespace
 
 shader::GlyphLayerParams glyphParameters(gpu::Device& device, const Target::Impl& target, LayerBuffers& buffers,
-                                         GlyphScene& scene, const plan::GlyphPlan& glyphs, model::Traversal traversal,
-                                         shader::FrameParams& frame) {
+                                         GlyphScene& scene, const plan::GlyphPlan& glyphs,
+                                         std::optional<model::Traversal> traversal, shader::FrameParams& frame) {
     shader::GlyphLayerParams params{};
     params.instances = scene.instanceBuffer().address();
     params.coefficients = scene.dataset().coefficients().address();
@@ -59,7 +60,7 @@ shader::GlyphLayerParams glyphParameters(gpu::Device& device, const Target::Impl
         frame.tiles_y = static_cast<std::uint32_t>(lists.tiles_y);
     } else if (traversal == model::Traversal::kRayQuery && !scene.instances().empty()) {
         params.acceleration = scene.acceleration().address();
-    } else {
+    } else if (traversal) {
         params.bvh_nodes = scene.bvhNodes().address();
         params.bvh_order = scene.bvhOrder().address();
     }
@@ -87,8 +88,9 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
         GlyphScene& scene = *list.layers[i];
         const plan::GlyphPlan& glyphs = list.plan->glyphs[i];
-        shader::GlyphLayerParams params =
-            glyphParameters(device, target, target.layers[i], scene, glyphs, request.quality.traversal, frame);
+        std::optional<model::Traversal> traversal = request.quality.traversal;
+        if (plan::isRasterised(request.quality)) traversal.reset();
+        shader::GlyphLayerParams params = glyphParameters(device, target, target.layers[i], scene, glyphs, traversal, frame);
         params.layer = static_cast<std::uint32_t>(i);
         target.layer(i) = params;
         target.look(i) = layerLook(colours, list, i);

@@ -1,4 +1,4 @@
-// Compute pipelines by shader and specialisation, made when first needed: what a scene does not use is never compiled.
+// Pipelines by shader and specialisation, made when first needed: what a scene does not use is never compiled.
 #pragma once
 
 #include <cstdint>
@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "gpu/graphics_pipeline.h"
 #include "gpu/pipeline.h"
 
 namespace radiata::render {
@@ -17,12 +18,16 @@ public:
 
     /// \param constants  specialisation constants 0, 1, ...
     const gpu::ComputePipeline& get(const std::string& shader, const std::vector<std::uint32_t>& constants);
+    /// \param constants  of both stages
+    const gpu::GraphicsPipeline& getGraphics(const std::string& vertex, const std::string& fragment,
+                                             const std::vector<std::uint32_t>& constants, gpu::Faces faces);
     /// How many have been made so far.
-    std::size_t count() const { return made_.size(); }
+    std::size_t count() const { return made_.size() + made_graphics_.size(); }
 
 private:
     gpu::Device& device_;
     std::map<std::pair<std::string, std::vector<std::uint32_t>>, gpu::ComputePipeline> made_;
+    std::map<std::pair<std::string, std::vector<std::uint32_t>>, gpu::GraphicsPipeline> made_graphics_;  ///< by fragment shader
 };
 
 }  // namespace radiata::render

@@ -215,6 +215,7 @@ std::vector<std::string> Renderer::traversals() const {
     if (impl_->abilities.ray_query) names.emplace_back("ray_query");
     if (impl_->abilities.bvh) names.emplace_back("bvh");
     if (impl_->abilities.tiles) names.emplace_back("tiles");
+    if (impl_->abilities.raster) names.emplace_back("raster_boxes");
     return names;
 }
 

@@ -68,7 +68,7 @@ public:
     /// request
     double measureBoxes(Target& target, const model::FrameRequest& request);
 
-    /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles".
+    /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles", "raster_boxes".
     std::vector<std::string> traversals() const;
     const std::string& deviceName() const;
     /// Pipelines made so far, those of the start-up self-test among them.

@@ -103,7 +103,7 @@ bool pathWorks(gpu::Device& device, Drawer& drawer, const std::shared_ptr<const 
         DrawList list;
         list.camera = plan::rebaseCamera(request.camera, scene.bounds(), kSize);
         plan::Abilities all;
-        all.ray_query = true;
+        all.ray_query = all.raster = true;
         const plan::FramePlan plan = plan::planFrame(request, {scene.facts(list.camera, kSize, kSize)}, all);
         list.plan = &plan;
         list.layers = {&scene};
@@ -132,6 +132,7 @@ plan::Abilities selfTest(gpu::Device& device, Drawer& drawer) {
         device.has(gpu::Feature::kRayQuery) && pathWorks(device, drawer, dataset, model::Traversal::kRayQuery);
     abilities.bvh = pathWorks(device, drawer, dataset, model::Traversal::kBvh);
     abilities.tiles = pathWorks(device, drawer, dataset, model::Traversal::kTiles);
+    abilities.raster = device.has(gpu::Feature::kRaster) && pathWorks(device, drawer, dataset, model::Traversal::kRasterBoxes);
     if (!abilities.ray_query && !abilities.bvh && !abilities.tiles) {
         throw Error(Code::kUnavailable, "device '" + device.info().name + "' (" + device.info().driver +
                                             "): the self-test's picture is wrong on every traversal path");

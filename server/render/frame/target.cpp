@@ -2,7 +2,12 @@
 
 #include <algorithm>
 
+#include "render/frame/raster_buffers.h"
+
 namespace radiata::render {
+
+Target::Impl::Impl() = default;
+Target::Impl::~Impl() = default;
 
 Target::Target() : impl_(std::make_unique<Impl>()) {}
 Target::~Target() = default;

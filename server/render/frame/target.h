@@ -1,6 +1,7 @@
 // Device buffers of one view. See render/frame/renderer.h for who may use them.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -29,8 +30,11 @@ struct UncertaintyBuffers {
     gpu::Buffer media;   ///< shader::Medium[pixels], of the latest sample
     std::vector<LayerBuffers> layers;
 };
+struct RasterBuffers;
 
 struct Target::Impl {
+    Impl();
+    ~Impl();
     int width = 0, height = 0;
     int samples = 0;               ///< in the light buffer
     std::uint64_t hit_pixels = 0;  ///< of the first of them
@@ -44,6 +48,7 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
+    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);

@@ -63,9 +63,10 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
 
     std::vector<Variant> variants = {{"auto", model::Traversal::kAuto, model::PoleTable::kAuto}};
     for (const std::string& name : renderer.traversals()) {
-        const model::Traversal traversal = name == "ray_query" ? model::Traversal::kRayQuery
-                                           : name == "bvh"     ? model::Traversal::kBvh
-                                                               : model::Traversal::kTiles;
+        const model::Traversal traversal = name == "ray_query"      ? model::Traversal::kRayQuery
+                                           : name == "bvh"          ? model::Traversal::kBvh
+                                           : name == "raster_boxes" ? model::Traversal::kRasterBoxes
+                                                                    : model::Traversal::kTiles;
         variants.push_back({name + ", table", traversal, model::PoleTable::kOn});
         variants.push_back({name + ", direct", traversal, model::PoleTable::kOff});
     }

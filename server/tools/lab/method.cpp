@@ -20,6 +20,36 @@ Method polynomial(const std::string& name, bool bracket_stop) {
             }};
 }
 
+/// The march again, once per fragment of drawn boxes.
+Method rasterBoxes(const std::string& name, model::PoleTable table) {
+    return {name, "raster boxes", [table](model::Quality& quality) {
+                quality.intersection = model::Intersection::kMarch;
+                quality.traversal = model::Traversal::kRasterBoxes;
+                quality.pole_table = table;
+            }};
+}
+
+Method tessellated(const std::string& name, model::SphereMesh mesh, int level) {
+    return {name, "tessellated", [mesh, level](model::Quality& quality) {
+                quality.intersection = model::Intersection::kTessellated;
+                quality.tessellation = {mesh, level, model::MeshNormals::kAnalytic};
+            }};
+}
+
+/// What devices that draw triangles can do besides.
+void addRasterMethods(std::vector<Method>& methods) {
+    methods.push_back(rasterBoxes("raster boxes", model::PoleTable::kOff));
+    methods.push_back(rasterBoxes("raster boxes, pole table", model::PoleTable::kOn));
+    for (const int level : {2, 3, 4, 5, 6}) {
+        const std::string name = "tessellated, icosphere " + std::to_string(level);
+        methods.push_back(tessellated(name, model::SphereMesh::kIcosphere, level));
+    }
+    for (const int bands : {7, 10, 20}) {  // Hlawitschka et al. 2011, Table 2
+        const std::string name = "tessellated, grid " + std::to_string(bands);
+        methods.push_back(tessellated(name, model::SphereMesh::kLatitudeLongitude, bands));
+    }
+}
+
 }  // namespace
 
 std::vector<Method> glyphMethods(ShLayout layout) {
@@ -28,6 +58,7 @@ std::vector<Method> glyphMethods(ShLayout layout) {
         methods.push_back(polynomial("polynomial, bracket stop", true));
         methods.push_back(polynomial("polynomial, paper's stop", false));
     }
+    addRasterMethods(methods);
     return methods;
 }
 
