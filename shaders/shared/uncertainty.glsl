@@ -9,7 +9,7 @@ struct UncertaintyParams {
     vec3 emission;     // linear RGB
     float extinction;  // per mm
 };
-STATIC_SIZE(UncertaintyParams, 112);
+STATIC_SIZE(UncertaintyParams, 144);
 
 // One per pixel, summed over layers. 16 bytes.
 struct Medium {
