@@ -18,6 +18,9 @@ const std::vector<Experiment>& experiments() {
         {"peters-fig4", "Peters et al. 2023, Fig. 4: what hard and soft shadows and ambient occlusion add to the glyph passes",
          petersFig4},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
+        {"hlawitschka-table1", "Hlawitschka et al., Table 1: frames per second over step and refinement", hlawitschkaTable1},
+        {"hlawitschka-fig1", "Hlawitschka et al., Fig. 1: error over step and refinement, two glyphs", hlawitschkaFig1},
+        {"hlawitschka-fig2", "Hlawitschka et al., Fig. 2: the gap at the centre and what closes it", hlawitschkaFig2},
     };
     return kAll;
 }
