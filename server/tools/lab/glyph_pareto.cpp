@@ -16,7 +16,7 @@ constexpr int kReferencePixels = 3000;
 Report glyphPareto(gpu::Device& device, const Options& options) {
     Report report;
     report.experiment = "glyph-pareto";
-    report.repeats = options.rounds(7);
+    report.repeats = options.rounds(15);
     report.scene = "one glyph of three crossing lobes, both signs shown";
     const int size = pictureHeight(device, options, kPaperSize, kReducedSize);
     report.view =

@@ -31,8 +31,8 @@ std::vector<Measured> measure(render::Renderer& renderer, const std::vector<Cand
             model::Outputs outputs;
             outputs.depth = outputs.normal = !warm;
             model::Frame frame = renderer.render(targets[i], candidates[i].request, 0, 1, outputs);
+            results[i].info = frame.info;
             if (!warm) {
-                results[i].info = frame.info;
                 results[i].depth = std::move(frame.pixels.depth);
                 results[i].normal = std::move(frame.pixels.normal);
                 return;

@@ -17,9 +17,9 @@ struct Candidate {
 
 struct Measured {
     std::string name, family;
-    Series time;        ///< GPU ms of the glyph passes, or of `passes`
-    Series frame_time;  ///< GPU ms of all passes
-    model::FrameInfo info;
+    Series time;                       ///< GPU ms of the glyph passes, or of `passes`
+    Series frame_time;                 ///< GPU ms of all passes
+    model::FrameInfo info;             ///< of the last frame
     std::vector<float> depth, normal;  ///< as FramePixels has them
 };
 

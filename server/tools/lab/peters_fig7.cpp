@@ -66,7 +66,7 @@ std::vector<float> coefficientsOf(const Options& options, std::string& descripti
 Report petersFig7(gpu::Device& device, const Options& options) {
     Report report;
     report.experiment = "peters-fig7";
-    report.repeats = options.rounds(7);
+    report.repeats = options.rounds(15);
     const std::vector<float> glyph = coefficientsOf(options, report.scene);
     const int size = pictureHeight(device, options, kPaperSize, kReducedSize);
     report.view = std::to_string(size) + "x" + std::to_string(size) + ", orthographic, filled; the paper: 1440x1440";

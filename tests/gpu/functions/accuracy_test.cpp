@@ -127,7 +127,7 @@ protected:
                 EXPECT_EQ(sum.false_hits, 0);
                 EXPECT_EQ(sum.wrong, 0);
 
-                EXPECT_LT(sum.left_out, 0.1 * (sum.rays + sum.left_out));
+                EXPECT_LT(sum.left_out, 0.05 * (sum.rays + sum.left_out));
             }
         }
     }
