@@ -5,8 +5,8 @@
 #include <cstdio>
 
 #include "base/error.h"
-#include "plan/plan_uncertainty.h"
 #include "plan/plan_raster.h"
+#include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
 #include "plan/tensor_methods.h"
 
