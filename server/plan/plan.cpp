@@ -120,7 +120,7 @@ TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<Lay
 
 bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool tensors, const LayerFacts& layer,
                      const TableUse& use, std::string& reason) {
-    if (!tensors && !hasTable(method)) {
+    if (!tensors && method != model::Intersection::kTessellated && !hasTable(method)) {
         reason = "off: the method " + std::string(model::methodName(method)) + " has no use for it";
         return false;
     }
