@@ -17,7 +17,7 @@ TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
     second.voxel_to_world[3] += glm::dvec4(0.3, -0.4, 0.2, 0);
     store.add("first", first);
     store.add("second", second);
-    model::FrameRequest request = requestOf("first", 41, 30, 2);
+    model::FrameRequest request = requestOf("first", 16, 12, 2);
     request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
     request.scene.layers[0].glyphs.lmax = 5;
     request.scene.layers.push_back(request.scene.layers[0]);
@@ -58,10 +58,10 @@ TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
     }
     std::cout << hits << " pixels, " << negative << " of negative lobes; worst place " << worst_place << " mm, radius "
               << worst_radius << " mm\n";
-    EXPECT_GT(hits, 300);
-    EXPECT_GT(negative, 5);
-    EXPECT_LT(worst_place, 1e-3);  // where a lobe is seen at its edge, along the surface; across it as follows
-    EXPECT_LT(worst_radius, 1e-3);
+    EXPECT_GT(hits, 200);
+    EXPECT_GT(negative, 2);
+    EXPECT_LT(worst_place, 1e-4);
+    EXPECT_LT(worst_radius, 1e-4);
     EXPECT_LT(worst_amplitude, 1e-10);
 }
 

@@ -21,6 +21,8 @@ const std::vector<Experiment>& experiments() {
          petersFig5},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
         {"hlawitschka-table1", "Hlawitschka et al., Table 1: frames per second over step and refinement", hlawitschkaTable1},
+        {"hlawitschka-table2", "Hlawitschka et al., Table 2: grids of triangles against ray casting, 258 glyphs",
+         hlawitschkaTable2},
         {"hlawitschka-fig1", "Hlawitschka et al., Fig. 1: error over step and refinement, two glyphs", hlawitschkaFig1},
         {"hlawitschka-fig2", "Hlawitschka et al., Fig. 2: the gap at the centre and what closes it", hlawitschkaFig2},
         {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kPaperHeight = 1080, kReducedHeight = 360;
 constexpr std::uint64_t kGlyphs = 19'600;
-constexpr int kReferencePixels = 1500;
+constexpr int kReferencePixels = 600;
 
 void listPasses(Report& report, const std::string& half, const Comparison& comparison) {
     Table table{half + ": passes of one frame, ms", {"method", "pass", "shader", "ms"}, {}};
