@@ -1,6 +1,7 @@
 #include "model/limits.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "base/error.h"
@@ -128,6 +129,27 @@ void checkTensorMarch(const TensorMarchSettings& settings) {
     }
 }
 
+void checkMethod(const Quality& quality, const Limits& limits) {
+    const RayMarchSettings& march = quality.ray_march;
+    if (march.steps < 1 || march.steps > limits.ray_march_steps_max) {
+        refuse("quality.ray_march.steps is " + std::to_string(march.steps) + "; it must be 1 to " +
+               std::to_string(limits.ray_march_steps_max));
+    }
+    if (march.refinements && (*march.refinements < 0 || *march.refinements > 32)) {
+        refuse("quality.ray_march.refinements is " + std::to_string(*march.refinements) + "; it must be 0 to 32");
+    }
+    const std::optional<double>& tolerance = quality.polynomial.tolerance;
+    if (tolerance && !(*tolerance >= 1e-15 && *tolerance <= 0.1)) {
+        std::ostringstream value;
+        value << *tolerance;
+        refuse("quality.polynomial.tolerance is " + value.str() + "; it must be 1e-15 to 0.1");
+    }
+    const bool table_off = quality.pole_table == PoleTable::kOff;
+    if (quality.intersection == Intersection::kPoleTable && table_off) {
+        refuse("quality.pole_table is off, which contradicts the method pole-table; use the method march");
+    }
+}
+
 void checkScene(const Scene& scene, const Limits& limits) {
     if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
     if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
@@ -166,9 +188,10 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     checkTensorMarch(request.quality.tensor_march);
     if (request.quality.intersection == Intersection::kTessellated) validate(request.quality.tessellation);
+    checkMethod(request.quality, limits);
     checkScene(request.scene, limits);
-    const bool tensor_method =
-        request.quality.intersection != Intersection::kMarch && request.quality.intersection != Intersection::kPolynomial;
+    const Intersection method = request.quality.intersection;
+    const bool tensor_method = !marches(method) && !byPolynomial(method) && !byEqualSteps(method);
     for (const Layer& layer : request.scene.layers) {
         if (tensor_method && layer.glyphs.isotropic_part > 0) {
             refuse("quality.intersection draws tensors as they are; an isotropic_part needs march or polynomial");

@@ -145,7 +145,7 @@ TEST_F(Validated, IsEveryWayToDraw) {
     }
     request.quality.intersection = model::Intersection::kPolynomial;
     for (const bool bracket : {true, false}) {
-        request.quality.polynomial_bracket_stop = bracket;
+        request.quality.polynomial.bracket_stop = bracket;
         drawAll();
     }
     request.quality.intersection = model::Intersection::kMarch;

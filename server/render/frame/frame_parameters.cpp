@@ -65,10 +65,11 @@ shader::GlyphLayerParams glyphParameters(gpu::Device& device, const Target::Impl
         params.bvh_order = scene.bvhOrder().address();
     }
     if (glyphs.pole_table && params.count > 0) {
+        // Plans of second glyphs are made for the march.
         const int k = std::stoi(glyphs.layout_name.substr(4));
         const bool full = glyphs.layout_name.starts_with("full");
-        ensureBytes(device, buffers.table, std::uint64_t{params.count} * poleTableCount(k, full) * 4, gpu::Memory::kDevice,
-                    "pole-frame tables");
+        const std::uint64_t floats = glyphs.table_floats > 0 ? glyphs.table_floats : poleTableCount(k, full);
+        ensureBytes(device, buffers.table, std::uint64_t{params.count} * floats * 4, gpu::Memory::kDevice, "pole-frame tables");
         params.tables = buffers.table.address();
     }
     return params;

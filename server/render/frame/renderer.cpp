@@ -68,7 +68,7 @@ struct Renderer::Impl {
         device_name = device.info().name + ", " + device.info().driver;
     }
 
-    GlyphScene& scene(model::GlyphLayer layer, const glm::dvec3& centre) {
+    GlyphScene& scene(model::GlyphLayer layer, const glm::dvec3& centre, model::GlyphBoxes boxes) {
         layer.colour = {};  // colours change nothing about where glyphs are
         const auto dataset = store.glyphs(layer.dataset_id);
         const auto uncertainty = layer.uncertainty ? store.glyphs(layer.uncertainty->dataset_id) : nullptr;
@@ -81,12 +81,12 @@ struct Renderer::Impl {
         for (auto it = scenes.begin(); it != scenes.end(); ++it) {
             GlyphScene& candidate = **it;
             if (candidate.layer() == layer && candidate.centreMm() == centre && &candidate.catalogued() == dataset.get() &&
-                candidate.cataloguedUncertainty() == uncertainty.get()) {
+                candidate.cataloguedUncertainty() == uncertainty.get() && candidate.boxes() == boxes) {
                 scenes.splice(scenes.begin(), scenes, it);
                 return candidate;
             }
         }
-        scenes.push_front(std::make_unique<GlyphScene>(device, dataset, layer, centre, uncertainty));
+        scenes.push_front(std::make_unique<GlyphScene>(device, dataset, layer, centre, uncertainty, boxes));
         if (scenes.size() > kScenesKept) scenes.pop_back();
         return *scenes.front();
     }
@@ -97,7 +97,7 @@ struct Renderer::Impl {
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
             // The band limit is checked by the plan; a scene of it can only be built within the data's bands.
-            list.layers.push_back(&scene(layer.glyphs, centre));
+            list.layers.push_back(&scene(layer.glyphs, centre, request.quality.glyph_boxes));
             const model::GlyphColour& colour = layer.glyphs.colour;
             list.scalars.push_back(colour.mode == model::ColourMode::kScalar ? store.scalars(colour.image_id) : nullptr);
         }

@@ -128,6 +128,7 @@ plan::Abilities selfTest(gpu::Device& device, Drawer& drawer) {
     const auto dataset = std::make_shared<const store::GlyphDataset>(device, "self-test", sphereImage());
     plan::Abilities abilities;
     abilities.software = device.info().software;
+    abilities.float64 = device.has(gpu::Feature::kFloat64);
     abilities.ray_query =
         device.has(gpu::Feature::kRayQuery) && pathWorks(device, drawer, dataset, model::Traversal::kRayQuery);
     abilities.bvh = pathWorks(device, drawer, dataset, model::Traversal::kBvh);

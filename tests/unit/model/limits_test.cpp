@@ -76,6 +76,24 @@ TEST(Limits, RefusesQualityOutOfRange) {
     }
 }
 
+TEST(Limits, RefusesMethodSettingsOutOfRange) {
+    const Code kInvalid = Code::kInvalidArgument;
+    for (const int steps : {0, -1, 1001, 2147483647}) {
+        expectRefused({"ray_march.steps", kInvalid, [=](FrameRequest& r) { r.quality.ray_march.steps = steps; }});
+    }
+    for (const int refinements : {-1, 33}) {
+        expectRefused(
+            {"ray_march.refinements", kInvalid, [=](FrameRequest& r) { r.quality.ray_march.refinements = refinements; }});
+    }
+    for (const double tolerance : {0.0, -1.0, 1e-16, 0.11, double{kNan}, double{kInfinity}}) {
+        expectRefused({"polynomial.tolerance", kInvalid, [=](FrameRequest& r) { r.quality.polynomial.tolerance = tolerance; }});
+    }
+    expectRefused({"contradicts the method pole-table", kInvalid, [](FrameRequest& r) {
+                       r.quality.intersection = Intersection::kPoleTable;
+                       r.quality.pole_table = PoleTable::kOff;
+                   }});
+}
+
 TEST(Limits, RefusesUnusableLayers) {
     const Code kInvalid = Code::kInvalidArgument;
     expectRefused({"scene.layers is empty", kInvalid, [](FrameRequest& r) { r.scene.layers.clear(); }});

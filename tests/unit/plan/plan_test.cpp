@@ -199,7 +199,7 @@ TEST(PlanPoleTable, IsUsedWhereItPays) {
     frame.quality.pole_table = PoleTable::kOn;
     const FramePlan plan = planFrame(frame, {withRays(1000)}, kAll);
     EXPECT_FALSE(plan.uses_pole_table);
-    EXPECT_EQ(plan.pole_table_reason, "off: the polynomial solver has no use for it");
+    EXPECT_EQ(plan.pole_table_reason, "off: the method polynomial has no use for it");
 }
 
 TEST(PlanPasses, RunInOrderWithModulesThatExist) {
