@@ -6,7 +6,7 @@
 #include <optional>
 #include <random>
 
-#include "math/sh_evaluate.h"
+#include "reference/sh_function.h"
 
 namespace radiata::reference {
 namespace {
@@ -128,15 +128,23 @@ PathMeans irradianceByBounce(const ScalarField& field, double iso, const glm::dv
 PathMeans transferByBounce(const ScalarField& field, double iso, const glm::dvec3& p, const std::vector<int>& orders, int paths,
                            std::uint64_t seed) {
     std::vector<std::size_t> first{0};
-    for (const int order : orders) first.push_back(first.back() + static_cast<std::size_t>(order * order));
+    std::vector<ShFunction> harmonics;
+    for (const int order : orders) {
+        first.push_back(first.back() + static_cast<std::size_t>(order * order));
+        while (harmonics.size() < static_cast<std::size_t>(order * order)) {
+            std::vector<double> one(25, 0.0);
+            one[harmonics.size()] = 1;
+            harmonics.emplace_back(ShLayout{4, true}, one);
+        }
+    }
     return follow(
         field, iso, p, static_cast<int>(orders.size()) - 1, paths, seed, first.back(),
         [](int, const glm::dvec3&, const glm::dvec3&, std::vector<double>&) {},
         [&](int k, const glm::dvec3& d, std::vector<double>& found) {
             const auto bounce = static_cast<std::size_t>(k);
-            const std::span<double> part(found.data() + first[bounce], first[bounce + 1] - first[bounce]);
-            evaluateSh(ShLayout{orders[bounce] - 1, true}, d, part);
-            for (double& value : part) value *= std::numbers::pi;
+            for (std::size_t i = first[bounce]; i < first[bounce + 1]; ++i) {
+                found[i] = std::numbers::pi * harmonics[i - first[bounce]](d);
+            }
         });
 }
 

@@ -38,7 +38,7 @@ PathMeans irradianceByBounce(const ScalarField& field, double iso, const glm::dv
                              int paths, std::uint64_t seed);
 
 /// Coefficients of the transfer function by number of bounces: orders[k]^2 of bounce k, one after the other, in the full layout
-/// of the internal convention; irradiance is sum over k of R^k sum over i of mean[k, i] light[i].
+/// of the internal convention, orders 1 to 5; irradiance is sum over k of R^k sum over i of mean[k, i] light[i].
 /// Source: Wyman et al. 2006, Eq. 6 and 8. Note: Eq. 4's second term lacks its cosine.
 PathMeans transferByBounce(const ScalarField& field, double iso, const glm::dvec3& p, const std::vector<int>& orders, int paths,
                            std::uint64_t seed);
