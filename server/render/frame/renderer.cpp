@@ -11,6 +11,7 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fibre_scenes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
@@ -60,11 +61,13 @@ struct Renderer::Impl {
     plan::Abilities abilities;
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    FibreScenes tracts;
     Target own_target, pick_target;
 
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
+        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -92,7 +95,10 @@ struct Renderer::Impl {
     }
 
     /// Of the dataset that a layer names, mm; all positions on the device are relative to that of the first layer.
-    glm::dvec3 centreOf(const model::Layer& layer) { return datasetCentre(store.glyphs(layer.datasetId())->image()); }
+    glm::dvec3 centreOf(const model::Layer& layer) {
+        if (layer.ifTracts()) return tracts.scene(device, store.fiblets(layer.datasetId()))->bounds().centre();
+        return datasetCentre(store.glyphs(layer.datasetId())->image());
+    }
 
     /// The layer on the device, from scratch or from what is kept.
     DrawnLayer drawn(const model::Layer& layer, const model::Quality& quality, const glm::dvec3& centre) {
@@ -103,11 +109,24 @@ struct Renderer::Impl {
             result.bounds = result.glyphs->bounds();
             if (glyphs->colour.mode == model::ColourMode::kScalar) result.scalars = store.scalars(glyphs->colour.image_id);
         }
+        if (const model::TractogramLayer* fibres = layer.ifTracts()) {
+            result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
+            result.fibres = tracts.look(device, result.tracts, *fibres);
+            result.bounds = result.tracts->bounds();
+        }
         return result;
     }
 
     /// What the plan has to know about a layer.
     plan::LayerFacts factsOf(const DrawnLayer& layer, const model::FrameRequest& request, const DrawList& list) const {
+        if (layer.tracts) {
+            plan::LayerFacts facts;
+            facts.fibres = layer.fibres->shown();
+            facts.fiblets = layer.tracts->fibletCount();
+            facts.value_min = static_cast<double>(layer.fibres->valueMin());
+            facts.value_max = static_cast<double>(layer.fibres->valueMax());
+            return facts;
+        }
         if (!layer.glyphs) return {};
         plan::LayerFacts facts = layer.glyphs->facts(list.camera, request.width, request.height);
         if (layer.scalars) {
@@ -246,6 +265,10 @@ model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::Vo
                                   model::Convention convention, double aspect) {
     if (!(aspect >= 0.05 && aspect <= 20)) {
         throw Error(Code::kInvalidArgument, "aspect is " + std::to_string(aspect) + "; it must be 0.05 to 20");
+    }
+    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kTractogram) {
+        const model::DatasetInfo info = impl_->store.info(dataset_id);
+        return plan::fitCamera({info.bounds_min, info.bounds_max}, selection, convention, aspect);
     }
     const auto dataset = impl_->store.glyphs(dataset_id);
     const plan::SceneBounds bounds = selectionBounds(*dataset, selection);

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "gpu/functions/function_runner.h"
+#include "reference/illuminated_line.h"
 #include "shaders/test/shading_io.glsl"
 
 namespace radiata {
