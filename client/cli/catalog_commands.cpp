@@ -127,6 +127,7 @@ void limits(const Connection& connection, const Options& options) {
         {"picture", std::to_string(response.width_max()) + "x" + std::to_string(response.height_max()) + " pixels, " +
                         std::to_string(response.pixels_max()) + " in all"},
         {"samples per pixel", std::to_string(response.samples_max())},
+        {"pieces of a marched ray", std::to_string(response.ray_march_steps_max())},
         {"layers", std::to_string(response.layers_max())},
         {"open views", std::to_string(response.views_max())},
         {"unacknowledged frames", std::to_string(response.window_max())},

@@ -124,6 +124,13 @@ void setTessellation(v1::Quality& quality, const RequestOptions& options) {
 void setQuality(v1::Quality& quality, const RequestOptions& options) {
     if (options.samples) quality.set_samples(*options.samples);
     quality.set_intersection(options.intersection);
+    if (options.polynomial_stop != v1::PolynomialSettings::STOP_UNSPECIFIED) {
+        quality.mutable_polynomial()->set_stop(options.polynomial_stop);
+    }
+    if (options.tolerance) quality.mutable_polynomial()->set_tolerance(*options.tolerance);
+    if (options.march_steps) quality.mutable_ray_march()->set_steps(*options.march_steps);
+    if (options.refinements) quality.mutable_ray_march()->set_refinements(*options.refinements);
+    quality.set_glyph_boxes(options.glyph_boxes);
     quality.set_traversal(options.traversal);
     quality.set_pole_table(options.pole_table);
     quality.set_sun_table(options.sun_table);
@@ -185,7 +192,16 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
              "How default cameras look at the head (default radiological)");
     app.add_flag("--no-annotations", options.no_annotations, "Leave marks and texts out of the picture");
     app.add_option("--samples", options.samples, "Samples per pixel (default 16)");
-    addWords(app, "--intersection", options.intersection, v1::IntersectionMethod_descriptor(), "Root finder (default march)");
+    addWords(app, "--method,--intersection", options.intersection, v1::IntersectionMethod_descriptor(),
+             "How rays meet glyphs (default march)");
+    addWords(app, "--polynomial-stop", options.polynomial_stop, v1::PolynomialSettings::Stop_descriptor(),
+             "When a root of the polynomial is done (default bracket; step: as in the paper)");
+    app.add_option("--tolerance", options.tolerance,
+                   "Tolerance of the polynomial methods, 1e-15 to 0.1 (default: by the rule)");
+    app.add_option("--march-steps", options.march_steps, "Pieces of a ray of the ray-march methods (default 100)");
+    app.add_option("--refinements", options.refinements,
+                   "Steps that narrow a hit down: bisections (default 10) or regula falsi (default 4)");
+    addWords(app, "--glyph-boxes", options.glyph_boxes, v1::GlyphBoxes_descriptor(), "Boxes around glyphs (default tight)");
     addWords(app, "--traversal", options.traversal, v1::Traversal_descriptor(), "Way to the boxes (default auto)", "auto");
     addWords(app, "--pole-table", options.pole_table, v1::PoleTable_descriptor(), "Pole-frame table (default auto)", "auto");
     addWords(app, "--sun-table", options.sun_table, v1::PoleTable_descriptor(), "The same for hard shadows (default auto)",

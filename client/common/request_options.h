@@ -45,6 +45,11 @@ struct RequestOptions {
     bool no_annotations = false;
     std::optional<std::uint32_t> samples;
     v1::IntersectionMethod intersection = v1::INTERSECTION_METHOD_MARCH;
+    v1::PolynomialSettings::Stop polynomial_stop = v1::PolynomialSettings::STOP_UNSPECIFIED;
+    std::optional<double> tolerance;
+    std::optional<std::uint32_t> march_steps;
+    std::optional<std::uint32_t> refinements;
+    v1::GlyphBoxes glyph_boxes = v1::GLYPH_BOXES_UNSPECIFIED;
     v1::Traversal traversal = v1::TRAVERSAL_UNSPECIFIED;
     v1::PoleTable pole_table = v1::POLE_TABLE_UNSPECIFIED;
     v1::PoleTable sun_table = v1::POLE_TABLE_UNSPECIFIED;

@@ -10,7 +10,7 @@
 namespace radiata::gpu {
 
 /// What a device may or may not be able to do; device_features.cpp says who needs it and what is done without it.
-enum class Feature { kRayQuery, kInt64Atomics, kMeshShader, kSubgroupBallot, kMemoryBudget, kRaster };
+enum class Feature { kRayQuery, kInt64Atomics, kMeshShader, kSubgroupBallot, kMemoryBudget, kRaster, kFloat64 };
 
 struct DeviceOptions {
     std::string device{};                    ///< number in list(), or a part of the name; empty: the most capable one

@@ -137,6 +137,13 @@ const std::vector<FeatureRow> kTable = {
          f.v13.shaderTerminateInvocation = VK_TRUE;
          f.core.features.fragmentStoresAndAtomics = VK_TRUE;
      }},
+    {"shader_float64",
+     Feature::kFloat64,
+     "the intersection method polynomial-double",
+     "refusing that method; polynomial does the same in single precision",
+     {},
+     [](const Abilities& a) { return a.features.core.features.shaderFloat64 == VK_TRUE; },
+     [](FeatureChain& f) { f.core.features.shaderFloat64 = VK_TRUE; }},
     {"memory_budget",
      Feature::kMemoryBudget,
      "refusing what would not fit beside other programs",

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "model/camera.h"
+#include "model/intersection.h"
 #include "model/scene.h"
 #include "model/tessellation.h"
 
 namespace radiata::model {
 
-enum class Intersection { kMarch, kPolynomial, kTensorMarch, kTensorInterval, kTensorAffine, kTessellated };
 enum class Traversal { kAuto, kRayQuery, kBvh, kTiles, kRasterBoxes };
 enum class PoleTable { kAuto, kOn, kOff };
 
@@ -32,9 +32,11 @@ struct Quality {
     Traversal traversal = Traversal::kAuto;
     PoleTable pole_table = PoleTable::kAuto;
     PoleTable sun_table = PoleTable::kAuto;  ///< for rays towards the light of hard shadows
-    bool polynomial_bracket_stop = true;     ///< the polynomial solver stops on the bracket's width; false: as its paper does
     TensorMarchSettings tensor_march;
-    Tessellation tessellation;  ///< for kTessellated
+    Tessellation tessellation;      ///< for kTessellated
+    PolynomialSettings polynomial;  ///< of the methods by polynomials
+    RayMarchSettings ray_march;     ///< of the marches with equal steps
+    GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

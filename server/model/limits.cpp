@@ -1,6 +1,7 @@
 #include "model/limits.h"
 
 #include <cmath>
+#include <sstream>
 #include <string>
 
 #include "base/error.h"
@@ -58,9 +59,7 @@ void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) 
     }
 }
 
-void checkLayer(const Layer& layer, const std::string& where) {
-    const GlyphLayer& glyphs = layer.glyphs;
-    if (glyphs.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
+void checkContent(const GlyphLayer& glyphs, const std::string& where) {
     checkSelection(glyphs.selection, where + ".selection");
     if (!(glyphs.scale.factor > 0 && glyphs.scale.factor <= 1e6F)) {
         refuse(where + ".scale.factor is " + std::to_string(glyphs.scale.factor) + "; it must be above 0 and at most 1e6");
@@ -76,6 +75,15 @@ void checkLayer(const Layer& layer, const std::string& where) {
     if (glyphs.isotropic_part > 0 && glyphs.tensor == TensorShape::kEllipsoid) {
         refuse(where + ".isotropic_part is of Reynolds glyphs and spherical harmonics; an ellipsoid has none");
     }
+}
+
+void checkContent(const TractogramLayer& /*tracts*/, const std::string& /*where*/) {}
+void checkContent(const IsosurfaceLayer& /*surface*/, const std::string& /*where*/) {}
+
+void checkLayer(const Layer& layer, const std::string& where) {
+    const std::string content = where + (layer.ifGlyphs() ? ".glyphs" : layer.ifTracts() ? ".tractogram" : ".isosurface");
+    if (layer.datasetId().empty()) refuse(content + ".dataset_id is empty; the catalogue lists the ids");
+    std::visit([&content](const auto& kind) { checkContent(kind, content); }, layer.content);
     if (!(layer.opacity > 0 && layer.opacity <= 1)) {
         refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
     }
@@ -128,6 +136,27 @@ void checkTensorMarch(const TensorMarchSettings& settings) {
     }
 }
 
+void checkMethod(const Quality& quality, const Limits& limits) {
+    const RayMarchSettings& march = quality.ray_march;
+    if (march.steps < 1 || march.steps > limits.ray_march_steps_max) {
+        refuse("quality.ray_march.steps is " + std::to_string(march.steps) + "; it must be 1 to " +
+               std::to_string(limits.ray_march_steps_max));
+    }
+    if (march.refinements && (*march.refinements < 0 || *march.refinements > 32)) {
+        refuse("quality.ray_march.refinements is " + std::to_string(*march.refinements) + "; it must be 0 to 32");
+    }
+    const std::optional<double>& tolerance = quality.polynomial.tolerance;
+    if (tolerance && !(*tolerance >= 1e-15 && *tolerance <= 0.1)) {
+        std::ostringstream value;
+        value << *tolerance;
+        refuse("quality.polynomial.tolerance is " + value.str() + "; it must be 1e-15 to 0.1");
+    }
+    const bool table_off = quality.pole_table == PoleTable::kOff;
+    if (quality.intersection == Intersection::kPoleTable && table_off) {
+        refuse("quality.pole_table is off, which contradicts the method pole-table; use the method march");
+    }
+}
+
 void checkScene(const Scene& scene, const Limits& limits) {
     if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
     if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
@@ -135,7 +164,7 @@ void checkScene(const Scene& scene, const Limits& limits) {
                                                   " layers; the server draws at most " + std::to_string(limits.layers_max));
     }
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "].glyphs");
+        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "]");
     }
     checkLight(scene.light, limits);
     for (int c = 0; c < 3; ++c) {
@@ -166,11 +195,13 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     checkTensorMarch(request.quality.tensor_march);
     if (request.quality.intersection == Intersection::kTessellated) validate(request.quality.tessellation);
+    checkMethod(request.quality, limits);
     checkScene(request.scene, limits);
-    const bool tensor_method =
-        request.quality.intersection != Intersection::kMarch && request.quality.intersection != Intersection::kPolynomial;
+    const Intersection method = request.quality.intersection;
+    const bool tensor_method = !marches(method) && !byPolynomial(method) && !byEqualSteps(method);
     for (const Layer& layer : request.scene.layers) {
-        if (tensor_method && layer.glyphs.isotropic_part > 0) {
+        const GlyphLayer* glyphs = layer.ifGlyphs();
+        if (tensor_method && glyphs && glyphs->isotropic_part > 0) {
             refuse("quality.intersection draws tensors as they are; an isotropic_part needs march or polynomial");
         }
     }

@@ -16,6 +16,7 @@ struct Limits {
     int occlusion_rays_max = 32;
     float angular_radius_max_deg = 60;
     int layers_max = 8;
+    int ray_march_steps_max = 1000;
     int views_max = 64;
     int window_max = 8;
     std::uint64_t message_bytes_max = 1 << 20;

@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "base/error.h"
+#include "plan/method_plan.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
@@ -109,7 +110,7 @@ TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<Lay
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const LayerFacts& layer = layers[i];
         if (layer.camera_close || layer.glyphs == 0) continue;
-        use.band = std::max(use.band, wanted[i].glyphs.lmax.value_or(layer.layout.lmax));
+        use.band = std::max(use.band, wanted[i].glyphs().lmax.value_or(layer.layout.lmax));
         rays += layer.rays_per_glyph * static_cast<double>(layer.glyphs);
         glyphs += static_cast<double>(layer.glyphs);
     }
@@ -119,8 +120,8 @@ TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<Lay
 
 bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool tensors, const LayerFacts& layer,
                      const TableUse& use, std::string& reason) {
-    if (method == model::Intersection::kPolynomial) {
-        reason = "off: the polynomial solver has no use for it";
+    if (!tensors && method != model::Intersection::kTessellated && !hasTable(method)) {
+        reason = "off: the method " + std::string(model::methodName(method)) + " has no use for it";
         return false;
     }
     if (tensors) {
@@ -143,6 +144,10 @@ bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool t
         reason = "on: asked for";
         return true;
     }
+    if (method == model::Intersection::kRayMarchVanAlmsick) {
+        reason = "on: as van Almsick et al. do";
+        return true;
+    }
     const bool pays = use.band >= kPoleTableBand && use.rays_per_glyph >= kPoleTableRays;
     reason = std::string(pays ? "on: " : "off: ") + "band " + std::to_string(use.band) + ", about " +
              number(use.rays_per_glyph) + " rays per glyph; it pays from band " + std::to_string(kPoleTableBand) + " and " +
@@ -150,22 +155,23 @@ bool choosePoleTable(model::PoleTable wanted, model::Intersection method, bool t
     return pays;
 }
 
-GlyphPlan planLayer(const model::Layer& layer, std::size_t index, const LayerFacts& facts, model::Intersection method) {
-    const std::string where = "scene.layers[" + std::to_string(index) + "].glyphs";
-    const int lmax = layer.glyphs.lmax.value_or(facts.layout.lmax);
-    if (lmax > facts.layout.lmax) {
-        throw Error(Code::kInvalidArgument, where + ".lmax is " + std::to_string(lmax) + "; the dataset has bands up to " +
-                                                std::to_string(facts.layout.lmax));
-    }
-    // Even layouts have even bands only: an odd limit means the band below it.
-    const int limit = facts.layout.full ? lmax : lmax - lmax % 2;
-    const int compiled = std::max(2, limit + limit % 2);
-    if (method == model::Intersection::kPolynomial && (facts.layout.full || compiled > 12)) {
-        throw Error(Code::kUnsupported, where + ": the polynomial method draws even bands up to 12, this layer has " +
-                                            (facts.layout.full ? "odd bands too" : "bands up to " + std::to_string(limit)) +
-                                            "; use the march or set lmax");
-    }
-    return planBands(facts.layout, lmax, layer.glyphs.negative_lobes == model::NegativeLobes::kShown);
+/// Fills in what the request left open about the method.
+void resolveMethod(model::Quality& quality, bool uses_table) {
+    quality.pole_table = uses_table ? model::PoleTable::kOn : model::PoleTable::kOff;
+    const model::Intersection method = quality.intersection;
+    if (method == model::Intersection::kPoleTable && !uses_table) quality.intersection = model::Intersection::kMarch;
+    if (model::byEqualSteps(method)) quality.ray_march.refinements = model::rayMarchRefinements(method, quality.ray_march);
+    if (model::byPolynomial(method)) quality.polynomial.tolerance = model::polynomialTolerance(method, quality.polynomial);
+}
+
+/// Passes of the layer that writes the surface buffer first need nothing from it.
+void markFirst(std::vector<PassPlan>& passes) {
+    const auto writes = [](const PassPlan& pass) {
+        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface;
+    };
+    const auto first = std::ranges::find_if(passes, writes);
+    if (first == passes.end()) return;
+    for (PassPlan& pass : passes) pass.first = pass.layer == first->layer;
 }
 
 /// Ends of a colour map that the request leaves open.
@@ -199,26 +205,33 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     plan.resolved.quality.traversal = traversal;
     checkRaster(plan.resolved.quality, abilities);
     const std::string kind = traversal == model::Traversal::kRayQuery ? "query_" : "trace_";
-    const std::string solver = method == model::Intersection::kPolynomial ? "polynomial_" : "";
+    const bool table_asked = method == model::Intersection::kPoleTable;
+    const model::PoleTable table_wanted = table_asked ? model::PoleTable::kOn : request.quality.pole_table;
     const TableUse table_use = tableUse(request.scene.layers, layers);
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        GlyphPlan glyphs = planLayer(request.scene.layers[i], i, layers[i], method);
+        plan.layer_kinds |= 1U << request.scene.layers[i].content.index();
+        if (!request.scene.layers[i].ifGlyphs()) {
+            plan.glyphs.emplace_back();
+            continue;
+        }
+        const std::string where = "scene.layers[" + std::to_string(i) + "].glyphs";
+        GlyphPlan glyphs = planMethod(request.quality, request.scene.layers[i].glyphs(), layers[i], abilities, where);
         std::string reason;
-        const std::string tensors = tensorShader(
-            request.scene.layers[i].glyphs, "scene.layers[" + std::to_string(i) + "].glyphs", layers[i].tensor_order, method);
-        glyphs.pole_table = choosePoleTable(request.quality.pole_table, method, !tensors.empty(), layers[i], table_use, reason);
+        const std::string tensors = tensorShader(request.scene.layers[i].glyphs(), where, layers[i].tensor_order, method);
+        glyphs.pole_table = choosePoleTable(table_wanted, method, !tensors.empty(), layers[i], table_use, reason);
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
-        plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);
-        model::GlyphColour& colour = plan.resolved.scene.layers[i].glyphs.colour;
+        plan.resolved.scene.layers[i].glyphs().lmax = request.scene.layers[i].glyphs().lmax.value_or(layers[i].layout.lmax);
+        model::GlyphColour& colour = plan.resolved.scene.layers[i].glyphs().colour;
         if (colour.usesMap()) colour.range = colourRange(colour, layers[i]);
         plan.colour_modes |= 1U << static_cast<std::uint32_t>(colour.mode);
         const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
         const int layer = static_cast<int>(i);
         if (glyphs.pole_table) {
-            plan.passes.push_back({PassKind::kGlyphTable, "glyph table" + suffix, "glyph_table_" + glyphs.layout_name, layer});
+            glyphs.table_floats = tableFloats(method, glyphs);
+            plan.passes.push_back({PassKind::kGlyphTable, "glyph table" + suffix, tableModule(method, glyphs), layer});
         }
-        const std::string drawn = tensors.empty() ? solver + kind + glyphs.layout_name : kind + tensors;
+        const std::string drawn = tensors.empty() ? glyphs.method_module + kind + glyphs.layout_name : kind + tensors;
         if (isRasterised(plan.resolved.quality)) {
             checkRasterLayer(i, tensors);
             planRaster(glyphs, layers[i], suffix, layer, plan);
@@ -227,7 +240,8 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         }
         plan.glyphs.push_back(std::move(glyphs));
     }
-    plan.resolved.quality.pole_table = plan.uses_pole_table ? model::PoleTable::kOn : model::PoleTable::kOff;
+    markFirst(plan.passes);
+    resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});

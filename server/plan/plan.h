@@ -20,6 +20,7 @@ struct Abilities {
     bool tiles = true;
     bool software = false;  ///< a CPU rasteriser
     bool raster = false;    ///< draws triangles
+    bool float64 = false;   ///< shaders in double precision
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -32,6 +33,7 @@ struct LayerFacts {
     double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
     double radius_typical_mm = 0;         ///< of the typical amplitude
     double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
+    bool odd_bands_only = false;          ///< all even bands of a full layout are 0
     bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
     double voxel_edge_mm = 0;             ///< the shortest
     double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
@@ -44,6 +46,9 @@ struct GlyphPlan {
     std::uint32_t used = 0;   ///< coefficients that count; the band limit
     bool pole_table = false;
     bool both_lobes = false;
+    std::uint32_t table_floats = 0;               ///< per glyph, of the table if there is one
+    std::string method_module;                    ///< part of the modules' names: "polynomial_"; empty: the march
+    std::vector<std::uint32_t> method_constants;  ///< specialisation constants of the method's settings, from id 9 on
 };
 
 /// Which secondary rays a frame has. None of them: no pass, buffer or shader variant for them.
@@ -76,17 +81,20 @@ struct PassPlan {
     PassKind kind;
     std::string name;    ///< "glyph table 0", "glyph trace 0", "uncertainty 0", "sun table 0", "shadow 0", "light", "resolve"
     std::string shader;  ///< module
-    int layer = -1;      ///< of glyph passes
+    int layer = -1;      ///< of passes that draw or light one layer
+    bool first = false;  ///< of the layer that writes the surface buffer first: every pixel of it, and reads none
 };
 
 struct FramePlan {
     model::FrameRequest resolved;                       ///< the request with every choice filled in
-    std::vector<GlyphPlan> glyphs;                      ///< one per layer
+    std::vector<GlyphPlan> glyphs;                      ///< one per layer; empty for layers of other kinds
     std::vector<std::optional<GlyphPlan>> uncertainty;  ///< of each layer's second glyphs, where it has them
     VisibilityPlan visibility;
     std::vector<PassPlan> passes;
     /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
     std::uint32_t colour_modes = 0;
+    /// And for which kinds of layers: bit 1 << index of model::Layer::content.
+    std::uint32_t layer_kinds = 0;
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;
@@ -101,8 +109,7 @@ GlyphPlan planBands(ShLayout layout, int lmax, bool both_lobes);
 
 /// \param layers  one per layer of the scene
 /// \throws Error(kInvalidArgument) for a band limit above the data, Error(kUnsupported) for a traversal that the device lacks
-/// or a
-///         method that does not fit the data (the polynomial needs even bands 2 to 12), with what would do
+///         or a method that does not fit the data (see method_plan.h), with what would do
 FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerFacts>& layers, const Abilities& abilities);
 
 /// Highest band and box pixels per glyph from which the table pays: below, a read of its longer rows costs as much as turning

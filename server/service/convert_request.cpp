@@ -1,28 +1,9 @@
-// Cameras, quality, and the requests that carry them.
-#include "plan/tensor_methods.h"
+// Cameras, and the requests that carry them.
 #include "service/convert.h"
 #include "service/convert_checks.h"
 
 namespace radiata::service {
 namespace {
-
-v1::IntersectionMethod toProto(model::Intersection method) {
-    switch (method) {
-        case model::Intersection::kMarch:
-            break;
-        case model::Intersection::kPolynomial:
-            return v1::INTERSECTION_METHOD_POLYNOMIAL;
-        case model::Intersection::kTensorMarch:
-            return v1::INTERSECTION_METHOD_TENSOR_MARCH;
-        case model::Intersection::kTensorInterval:
-            return v1::INTERSECTION_METHOD_TENSOR_INTERVAL;
-        case model::Intersection::kTensorAffine:
-            return v1::INTERSECTION_METHOD_TENSOR_AFFINE;
-        case model::Intersection::kTessellated:
-            return v1::INTERSECTION_METHOD_TESSELLATED;
-    }
-    return v1::INTERSECTION_METHOD_MARCH;
-}
 
 glm::dvec3 required(bool present, const v1::Vec3& v, const std::string& where) {
     if (!present) refuse(where + " is missing");
@@ -65,78 +46,6 @@ v1::Camera toProto(const model::Camera& camera) {
         message.mutable_clip()->set_nearest_mm(camera.clip->nearest_mm);
         message.mutable_clip()->set_farthest_mm(camera.clip->farthest_mm);
     }
-    return message;
-}
-
-model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
-    checkEnum(quality.intersection(), v1::IntersectionMethod_IsValid, v1::IntersectionMethod_MAX, where + ".intersection");
-    checkEnum(quality.traversal(), v1::Traversal_IsValid, v1::Traversal_MAX, where + ".traversal");
-    checkEnum(quality.pole_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".pole_table");
-    checkEnum(quality.sun_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".sun_table");
-    model::Quality result;
-    if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
-    if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
-    if (quality.intersection() == v1::INTERSECTION_METHOD_POLYNOMIAL) result.intersection = model::Intersection::kPolynomial;
-    if (quality.intersection() == v1::INTERSECTION_METHOD_TESSELLATED) result.intersection = model::Intersection::kTessellated;
-    result.tessellation = fromProto(quality.tessellation(), where + ".tessellation");
-    switch (quality.traversal()) {
-        case v1::TRAVERSAL_RAY_QUERY:
-            result.traversal = model::Traversal::kRayQuery;
-            break;
-        case v1::TRAVERSAL_BVH:
-            result.traversal = model::Traversal::kBvh;
-            break;
-        case v1::TRAVERSAL_TILES:
-            result.traversal = model::Traversal::kTiles;
-            break;
-        case v1::TRAVERSAL_RASTER_BOXES:
-            result.traversal = model::Traversal::kRasterBoxes;
-            break;
-        default:
-            break;
-    }
-    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_MARCH) result.intersection = model::Intersection::kTensorMarch;
-    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_INTERVAL)
-        result.intersection = model::Intersection::kTensorInterval;
-    if (quality.intersection() == v1::INTERSECTION_METHOD_TENSOR_AFFINE)
-        result.intersection = model::Intersection::kTensorAffine;
-    result.tensor_march = fromProto(quality.tensor_march(), where + ".tensor_march");
-    if (quality.pole_table() == v1::POLE_TABLE_ON) result.pole_table = model::PoleTable::kOn;
-    if (quality.pole_table() == v1::POLE_TABLE_OFF) result.pole_table = model::PoleTable::kOff;
-    if (quality.sun_table() == v1::POLE_TABLE_ON) result.sun_table = model::PoleTable::kOn;
-    if (quality.sun_table() == v1::POLE_TABLE_OFF) result.sun_table = model::PoleTable::kOff;
-    return result;
-}
-
-v1::Quality toProto(const model::Quality& quality) {
-    v1::Quality message;
-    message.set_samples(static_cast<std::uint32_t>(quality.samples));
-    message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
-    message.set_intersection(toProto(quality.intersection));
-    // Settings are echoed where they had a say.
-    if (plan::drawsTensors(quality.intersection)) *message.mutable_tensor_march() = toProto(quality.tensor_march);
-    if (quality.intersection == model::Intersection::kTessellated)
-        *message.mutable_tessellation() = toProto(quality.tessellation);
-    switch (quality.traversal) {
-        case model::Traversal::kAuto:
-            break;
-        case model::Traversal::kRayQuery:
-            message.set_traversal(v1::TRAVERSAL_RAY_QUERY);
-            break;
-        case model::Traversal::kBvh:
-            message.set_traversal(v1::TRAVERSAL_BVH);
-            break;
-        case model::Traversal::kTiles:
-            message.set_traversal(v1::TRAVERSAL_TILES);
-            break;
-        case model::Traversal::kRasterBoxes:
-            message.set_traversal(v1::TRAVERSAL_RASTER_BOXES);
-            break;
-    }
-    if (quality.pole_table == model::PoleTable::kOn) message.set_pole_table(v1::POLE_TABLE_ON);
-    if (quality.pole_table == model::PoleTable::kOff) message.set_pole_table(v1::POLE_TABLE_OFF);
-    if (quality.sun_table == model::PoleTable::kOn) message.set_sun_table(v1::POLE_TABLE_ON);
-    if (quality.sun_table == model::PoleTable::kOff) message.set_sun_table(v1::POLE_TABLE_OFF);
     return message;
 }
 

@@ -22,6 +22,20 @@ std::vector<float> gather(const model::ShImage& image, std::span<const std::uint
     return values;
 }
 
+/// Stops at the first even band that is not 0, which nearly always is the first glyph's band 0.
+bool hasOddBandsOnly(const model::ShImage& image) {
+    if (!image.layout.full) return false;
+    const std::size_t stride = image.layout.count();
+    for (std::size_t glyph = 0; glyph * stride < image.coefficients.size(); ++glyph) {
+        for (int l = 0; l <= image.layout.lmax; l += 2) {
+            for (int m = -l; m <= l; ++m) {
+                if (image.coefficients[glyph * stride + image.layout.index(l, m)] != 0) return false;
+            }
+        }
+    }
+    return true;
+}
+
 }  // namespace
 
 GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::ShImage image)
@@ -37,6 +51,7 @@ GlyphDataset::GlyphDataset(gpu::Device& device, const std::string& id, model::Sh
     info_.glyph_count = image_.voxels.size();
     info_.rejected_voxels = image_.rejected_voxels;
     datasetBounds(image_, info_.bounds_min, info_.bounds_max);
+    odd_bands_only_ = hasOddBandsOnly(image_);
     const std::uint64_t bytes = checkedMultiply(image_.coefficients.size(), sizeof(float), "dataset '" + id + "'");
     coefficients_ = gpu::Buffer(device, std::max<std::uint64_t>(bytes, 4), gpu::Memory::kDevice, "coefficients of " + id);
     if (bytes > 0) gpu::upload(device, coefficients_, 0, std::as_bytes(std::span(image_.coefficients)));

@@ -29,6 +29,9 @@ public:
     /// float[glyphs][symmetricCount(tensor_order)], addressed by slot; empty if this is no tensor image
     const gpu::Buffer& tensors() const { return tensors_; }
 
+    /// A full layout of which all even bands are 0, as tensors of odd order give.
+    bool oddBandsOnly() const { return odd_bands_only_; }
+
     /// Certified bounds of some slots' glyphs with bands up to `lmax`, in units of amplitude; sampled by the device unless it
     /// is a CPU driver, on which our own threads are faster.
     std::vector<GlyphBounds> bounds(std::span<const std::uint32_t> slots, int lmax, bool negative_lobes) const;
@@ -41,6 +44,7 @@ private:
     gpu::Device& device_;
     model::ShImage image_;
     model::DatasetInfo info_;
+    bool odd_bands_only_ = false;
     gpu::Buffer coefficients_, tensors_;
     mutable std::mutex mutex_;
     mutable std::map<std::pair<int, bool>, Cache> cache_;

@@ -19,13 +19,15 @@ def chains(k, full):
                 yield m, list(range(start, k + 1, 2))
 
 
-def evaluate(k, full, gradient):
+def evaluate(k, full, gradient, real="float", literal=number):
+    """real "double" with its literals gives shEvaluateDouble(), of float coefficients at a dvec3; without gradient."""
     out = []
-    name = "shEvaluateGradient" if gradient else "shEvaluate"
-    kind = "vec4" if gradient else "vec2"
-    out.append(f"{kind} {name}(const float c[SH_COUNT], vec3 d) {{")
-    out.append("    const float z2 = d.z * d.z;")
-    out.append("    float even = 0.0, odd = 0.0;")
+    name = "shEvaluateGradient" if gradient else "shEvaluate" if real == "float" else "shEvaluateDouble"
+    d = "d" if real == "double" else ""
+    kind = d + ("vec4" if gradient else "vec2")
+    out.append(f"{kind} {name}(const float c[SH_COUNT], {d}vec3 d) {{")
+    out.append(f"    const {real} z2 = d.z * d.z;")
+    out.append(f"    {real} even = 0.0, odd = 0.0;")
     if gradient:
         out.append("    vec3 slope = vec3(0.0);")
     power = ("1.0", "0.0")
@@ -35,9 +37,9 @@ def evaluate(k, full, gradient):
             previous = power
             power = (f"x{m}", f"y{m}")
             if m == 1:
-                out.append("    const float x1 = d.x, y1 = d.y;")
+                out.append(f"    const {real} x1 = d.x, y1 = d.y;")
             else:
-                out.append(f"    const float x{m} = {previous[0]} * d.x - {previous[1]} * d.y, "
+                out.append(f"    const {real} x{m} = {previous[0]} * d.x - {previous[1]} * d.y, "
                            f"y{m} = {previous[0]} * d.y + {previous[1]} * d.x;")
             lower = previous
         last_m = m
@@ -45,45 +47,45 @@ def evaluate(k, full, gradient):
         out.append("    {")
         first = bands[0]
         if first == m:
-            out.append(f"        const float n{first} = {number(n_mm(m))};")
+            out.append(f"        const {real} n{first} = {literal(n_mm(m))};")
             if gradient:
-                out.append(f"        const float p{first} = 0.0;")
+                out.append(f"        const {real} p{first} = 0.0;")
         else:
-            factor = number(n_mm(m) * alpha(first, m))
-            out.append(f"        const float n{first} = {factor} * d.z;")
+            factor = literal(n_mm(m) * alpha(first, m))
+            out.append(f"        const {real} n{first} = {factor} * d.z;")
             if gradient:
-                out.append(f"        const float p{first} = {factor};")
+                out.append(f"        const {real} p{first} = {factor};")
         for l, following in zip(bands, bands[1:]):
             a, b, c = two_step(l, m)
-            back_n = f" + {number(c)} * n{l - 2}" if l > first else ""
-            back_p = f" + {number(c)} * p{l - 2}" if l > first else ""
-            out.append(f"        const float q{l} = {number(a)} * z2 + {number(b)};")
-            out.append(f"        const float n{following} = q{l} * n{l}{back_n};")
+            back_n = f" + {literal(c)} * n{l - 2}" if l > first else ""
+            back_p = f" + {literal(c)} * p{l - 2}" if l > first else ""
+            out.append(f"        const {real} q{l} = {literal(a)} * z2 + {literal(b)};")
+            out.append(f"        const {real} n{following} = q{l} * n{l}{back_n};")
             if gradient:
-                out.append(f"        const float p{following} = q{l} * p{l} + {number(2 * a)} * d.z * n{l}{back_p};")
+                out.append(f"        const {real} p{following} = q{l} * p{l} + {literal(2 * a)} * d.z * n{l}{back_p};")
 
         def total_of(sign_m, what):
             sign = -1.0 if sign_m > 0 and m % 2 else 1.0
             terms = " + ".join(f"c[{index(l, sign_m * m, full)}] * {what}{l}" for l in bands)
             return f"-({terms})" if sign < 0 else terms
 
-        out.append(f"        const float a = {total_of(-1, 'n')};")
+        out.append(f"        const {real} a = {total_of(-1, 'n')};")
         if m > 0:
-            out.append(f"        const float b = {total_of(1, 'n')};")
+            out.append(f"        const {real} b = {total_of(1, 'n')};")
             out.append(f"        {total} += a * {power[0]} + b * {power[1]};")
         else:
             out.append(f"        {total} += a;")
         if gradient:
-            out.append(f"        const float ap = {total_of(-1, 'p')};")
+            out.append(f"        const {real} ap = {total_of(-1, 'p')};")
             if m > 0:
-                out.append(f"        const float bp = {total_of(1, 'p')};")
-                out.append(f"        slope.x += {number(m)} * (a * {lower[0]} + b * {lower[1]});")
-                out.append(f"        slope.y += {number(m)} * (b * {lower[0]} - a * {lower[1]});")
+                out.append(f"        const {real} bp = {total_of(1, 'p')};")
+                out.append(f"        slope.x += {literal(m)} * (a * {lower[0]} + b * {lower[1]});")
+                out.append(f"        slope.y += {literal(m)} * (b * {lower[0]} - a * {lower[1]});")
                 out.append(f"        slope.z += ap * {power[0]} + bp * {power[1]};")
             else:
                 out.append("        slope.z += ap;")
         out.append("    }")
-    out.append("    return vec4(slope, even + odd);" if gradient else "    return vec2(even, odd);")
+    out.append("    return " + kind + "(slope, even + odd);" if gradient else "    return " + kind + "(even, odd);")
     out.append("}")
     return out
 

@@ -92,3 +92,9 @@ def number(value):
     """A GLSL float literal."""
     text = repr(float(np.float32(value)))
     return text if ("." in text or "e" in text) else text + ".0"
+
+
+def number64(value):
+    """A GLSL double literal."""
+    text = repr(float(value))
+    return (text if ("." in text or "e" in text) else text + ".0") + "lf"

@@ -1,6 +1,6 @@
 // The nearest hit of a pixel's ray so far, and the test of one more glyph against it.
-// METHOD_POLYNOMIAL selects the solver of Peters et al. 2023 in place of the march, METHOD_TENSOR the methods of Hlawitschka et al. on
-// Cartesian tensors, METHOD_ELLIPSOID ellipsoids.
+// A METHOD_ definition selects one of the comparison methods, or ellipsoids, in place of the march; each has a file.
+#include "shaders/common/glyph_hit.glsl"
 
 PixelRay ray;
 vec3 ray_inverse;
@@ -26,29 +26,28 @@ void instanceCircle(FrameParams frame, GlyphLayerParams layer, uint index, Glyph
     }
 }
 
-#if defined METHOD_TENSOR
-#include "shaders/glyph/intersect_tensor.glsl"
-#elif defined METHOD_ELLIPSOID
-#include "shaders/glyph/intersect_ellipsoid.glsl"
-#elif defined METHOD_POLYNOMIAL
-layout(constant_id = 9) const bool kPolynomialStopOnBracket = false;
-float shEvaluate(vec3 direction) { return shEvaluate(glyph_coefficients, direction).x; }
-#include "polynomial.glsl"
-#include "shaders/common/polynomial_hit.glsl"
-
-void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, GlyphInstance instance, vec3 centre) {
-    loadCoefficients(layer.coefficients, layer.stride, instance.slot);
-    const float unit = 1.0 / instance.scale;
-    const vec3 origin = (ray.origin - centre) * unit;
-    const GlyphHit hit = polynomialFirstHit(origin, ray.direction, ray.near * unit, kBothLobes);
+#if defined METHOD_POLYNOMIAL || defined METHOD_LAGUERRE || defined METHOD_RAY_MARCH
+// Makes a hit the nearest so far if it is nearer, or as near and of a lower instance, so that every traversal gives the same picture.
+// \param origin  of the ray relative to the glyph's centre, in units of amplitude
+void keepNearest(uint index, float scale, GlyphHit hit, vec3 origin) {
     total_steps += hit.steps;
-    const float t = hit.t * instance.scale;
+    const float t = hit.t * scale;
     if (hit.amplitude != 0.0 && (t < best_t || (t == best_t && index < best_instance))) {
         best_t = t;
         best_instance = index;
         best_direction = normalize(origin + hit.t * ray.direction);
     }
 }
+#endif
+
+#if defined METHOD_TENSOR
+#include "shaders/glyph/intersect_tensor.glsl"
+#elif defined METHOD_ELLIPSOID
+#include "shaders/glyph/intersect_ellipsoid.glsl"
+#elif defined METHOD_POLYNOMIAL || defined METHOD_LAGUERRE
+#include "shaders/glyph/intersect_polynomial.glsl"
+#elif defined METHOD_RAY_MARCH
+#include "shaders/glyph/intersect_ray_march.glsl"
 #else
 void intersectInstance(FrameParams frame, GlyphLayerParams layer, uint index, GlyphInstance instance, vec3 centre) {
     const float unit = 1.0 / instance.scale;

@@ -22,7 +22,7 @@ layout(constant_id = 5) const bool kFirstLayer = true;   // nothing is in the su
 layout(constant_id = 6) const bool kBoxesOnly = false;   // for measurements: visit the boxes, intersect nothing
 layout(constant_id = 7) const uint kTileShiftX = 2u;     // pixels per tile, log2
 layout(constant_id = 8) const uint kTileShiftY = 1u;
-// From 9 on: settings of the method of intersection.
+// From 9 on: settings of the method of intersection, in the file of that method.
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer LayerBuffer { GlyphLayerParams layer; };

@@ -105,6 +105,28 @@ class RenderTest(ClientTest):
                                                      "shadow": "none", "angular_radius_deg": 5, "shadow_rays": 16})
         self.assertEqual(request["scene"]["annotations"], {"convention": "neurological", "hidden": True})
 
+    def test_methods_and_their_settings_are_echoed(self):
+        cases = {
+            ("march",): ("march", {}),
+            ("pole-table",): ("pole-table", {}),
+            ("polynomial", "--polynomial-stop", "step", "--tolerance", "0.01", "--lmax", "4"):
+                ("polynomial", {"polynomial": {"stop": "step", "tolerance": 0.01}}),
+            ("polynomial-double", "--lmax", "4"): ("polynomial-double", {"polynomial": {"stop": "bracket", "tolerance": 1e-12}}),
+            ("laguerre", "--lmax", "4"): ("laguerre", {"polynomial": {"tolerance": 0.001}}),
+            ("ray-march-peeters", "--march-steps", "50", "--refinements", "6", "--lmax", "4"):
+                ("ray-march-peeters", {"ray_march": {"steps": 50, "refinements": 6}}),
+            ("ray-march-van-almsick", "--lmax", "4"):
+                ("ray-march-van-almsick", {"ray_march": {"steps": 100, "refinements": 4}}),
+        }
+        for arguments, (name, settings) in cases.items():
+            self.render("--info", self.folder / "info.json", "--samples", "1", "--method", *arguments)
+            quality = json.loads((self.folder / "info.json").read_text())["request"]["quality"]
+            self.assertEqual(quality["intersection"], name)
+            self.assertEqual({key: quality[key] for key in ("polynomial", "ray_march") if key in quality}, settings)
+        self.assert_fails(self.render("-o", self.folder / "a.png", "--method", "guess", check=False), 2, "guess")
+        bad = self.render("-o", self.folder / "a.png", "--method", "ray-march-peeters", "--march-steps", "0", check=False)
+        self.assert_fails(bad, 4, "ray_march.steps")
+
     def test_camera_file_and_echoed_camera_give_the_same_picture(self):
         (self.folder / "camera.json").write_text(json.dumps(CAMERA))
         self.render("--camera", self.folder / "camera.json", "-o", self.folder / "a.png", "--info", self.folder / "a.json")

@@ -30,7 +30,7 @@ void runGlyphTrace(PassRun& run, const plan::PassPlan& pass, bool boxes_only, Ba
     const plan::GlyphPlan& glyphs = run.list.plan->glyphs[layer];
     const model::Quality& quality = run.list.plan->resolved.quality;
     const bool tiles = quality.traversal == model::Traversal::kTiles;
-    GlyphScene& scene = *run.list.layers[layer];
+    GlyphScene& scene = *run.list.layers[layer].glyphs;
     const bool empty = scene.instances().empty();
     // A ray query needs a structure, which an empty layer has not: its rays walk the empty hierarchy instead.
     std::string shader = pass.shader;
@@ -40,22 +40,16 @@ void runGlyphTrace(PassRun& run, const plan::PassPlan& pass, bool boxes_only, Ba
         params.bvh_nodes = scene.bvhNodes().address();
         params.bvh_order = scene.bvhOrder().address();
     }
-    std::vector<std::uint32_t> constants{PassRun::kGroup,
-                                         tiles ? 1U : 0U,
-                                         glyphs.pole_table && !empty ? 1U : 0U,
-                                         glyphs.both_lobes ? 1U : 0U,
-                                         glyphs.used,
-                                         layer == 0 ? 1U : 0U,
-                                         boxes_only ? 1U : 0U,
-                                         kTileShiftX,
-                                         kTileShiftY};
-    // What follows belongs to the method.
-    if (shader.find("_tensor") != std::string::npos) {
-        const std::vector<std::uint32_t> settings = plan::tensorConstants(quality);
-        constants.insert(constants.end(), settings.begin(), settings.end());
-    } else {
-        constants.push_back(quality.polynomial_bracket_stop ? 1U : 0U);
-    }
+    std::vector<std::uint32_t> constants = {PassRun::kGroup,
+                                            tiles ? 1U : 0U,
+                                            glyphs.pole_table && !empty ? 1U : 0U,
+                                            glyphs.both_lobes ? 1U : 0U,
+                                            glyphs.used,
+                                            pass.first ? 1U : 0U,
+                                            boxes_only ? 1U : 0U,
+                                            kTileShiftX,
+                                            kTileShiftY};
+    constants.insert(constants.end(), glyphs.method_constants.begin(), glyphs.method_constants.end());
     const gpu::ComputePipeline& pipeline = run.pipelines.get(shader, constants);
     run.dispatchBands(
         pipeline, boxes_only ? "boxes" : pass.name,

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "build/bvh.h"
+#include "build/cylinder_box.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "math/two_floats.h"
@@ -19,6 +20,22 @@ constexpr float kLargestValue = 3e38F;  // below the mark of glyphs without a va
 
 glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
     return glm::dvec3(image.voxel_to_world * glm::dvec4(glm::dvec3(image.voxels[slot]), 1.0));
+}
+
+/// Boxes, but not radii, become those around bounding cylinders if that is asked for. Ellipsoids have no bands and keep theirs.
+GlyphSource withBoxes(GlyphSource source, const model::GlyphLayer& layer, model::GlyphBoxes boxes) {
+    if (boxes == model::GlyphBoxes::kTight || !source.ellipsoids.empty()) return source;
+    const model::ShImage& image = source.dataset->image();
+    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
+    // A smaller layout of the same parity is a prefix.
+    const ShLayout shown{image.layout.full ? lmax : lmax - lmax % 2, image.layout.full};
+    const CylinderBoxes cylinders(shown);
+    const std::span<const float> all(image.coefficients);
+    for (std::size_t i = 0; i < source.slots.size(); ++i) {
+        const auto glyph = all.subspan(source.slots[i] * image.layout.count(), shown.count());
+        cylinders.box(glyph, source.bounds[i].min, source.bounds[i].max);
+    }
+    return source;
 }
 
 }  // namespace
@@ -44,8 +61,10 @@ plan::SceneBounds selectionBounds(const store::GlyphDataset& dataset, const mode
 }
 
 GlyphScene::GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
-                       const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty)
-    : GlyphScene(device, shownGlyphs(device, dataset, layer), layer, centre_mm) {
+                       const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty,
+                       model::GlyphBoxes boxes)
+    : GlyphScene(device, withBoxes(shownGlyphs(device, dataset, layer), layer, boxes), layer, centre_mm) {
+    boxes_ = boxes;
     if (uncertainty) {
         uncertain_.reset(new GlyphScene(device, uncertainGlyphs(device, dataset, uncertainty, layer), layer, centre_mm));
         if (!uncertain_->instances_.empty()) {
@@ -175,6 +194,7 @@ plan::LayerFacts GlyphScene::facts(const plan::RebasedCamera& camera, int width,
     plan::LayerFacts facts;
     facts.layout = dataset_->image().layout;
     facts.tensor_order = catalogued_->image().tensor_order;
+    facts.odd_bands_only = dataset_->oddBandsOnly();
     facts.glyphs = instances_.size();
     const double typical = catalogued_->info().amplitude_typical;
     facts.radius_typical_mm = layer_.scale.mode == model::ScaleMode::kAbsolute

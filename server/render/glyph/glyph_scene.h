@@ -10,6 +10,7 @@
 
 #include "gpu/acceleration.h"
 #include "gpu/buffer.h"
+#include "model/intersection.h"
 #include "model/scene.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
@@ -26,7 +27,8 @@ public:
     /// \param uncertainty  the dataset that layer.uncertainty names; null: none
     /// \throws Error(kInvalidArgument, kResourceExhausted)
     GlyphScene(gpu::Device& device, std::shared_ptr<const store::GlyphDataset> dataset, const model::GlyphLayer& layer,
-               const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty = nullptr);
+               const glm::dvec3& centre_mm, std::shared_ptr<const store::GlyphDataset> uncertainty = nullptr,
+               model::GlyphBoxes boxes = model::GlyphBoxes::kTight);
 
     /// What is drawn, which may be a copy made for this layer.
     const store::GlyphDataset& dataset() const { return *dataset_; }
@@ -37,6 +39,7 @@ public:
     GlyphScene* uncertain() const { return uncertain_.get(); }
     const model::GlyphLayer& layer() const { return layer_; }
     const glm::dvec3& centreMm() const { return centre_mm_; }
+    model::GlyphBoxes boxes() const { return boxes_; }
     const std::vector<shader::GlyphInstance>& instances() const { return instances_; }
     const gpu::Buffer& instanceBuffer() const { return instance_buffer_; }
     const plan::SceneBounds& bounds() const { return bounds_; }
@@ -68,6 +71,7 @@ private:
     std::unique_ptr<GlyphScene> uncertain_;
     model::GlyphLayer layer_;
     glm::dvec3 centre_mm_;
+    model::GlyphBoxes boxes_ = model::GlyphBoxes::kTight;
     std::vector<shader::GlyphInstance> instances_;
     plan::SceneBounds bounds_;  ///< world
     float largest_radius_ = 0;

@@ -16,7 +16,24 @@ Method polynomial(const std::string& name, bool bracket_stop) {
     return {name, "polynomial", [bracket_stop](model::Quality& quality) {
                 quality.intersection = model::Intersection::kPolynomial;
                 quality.pole_table = model::PoleTable::kOff;
-                quality.polynomial_bracket_stop = bracket_stop;
+                quality.polynomial.bracket_stop = bracket_stop;
+            }};
+}
+
+/// Of k = 4 only.
+Method byName(model::Intersection intersection) {
+    const std::string name(model::methodName(intersection));
+    return {name, name, [intersection](model::Quality& quality) { quality.intersection = intersection; }};
+}
+
+/// \param per_ray  coefficients rotated for each ray, not once for the camera
+Method rayMarch(model::Intersection intersection, int steps, bool per_ray) {
+    const std::string family(model::methodName(intersection));
+    const std::string name = family + ", " + std::to_string(steps) + " steps" + (per_ray ? ", rotated per ray" : "");
+    return {name, family, [intersection, steps, per_ray](model::Quality& quality) {
+                quality.intersection = intersection;
+                quality.ray_march.steps = steps;
+                quality.pole_table = per_ray ? model::PoleTable::kOff : model::PoleTable::kOn;
             }};
 }
 
@@ -57,6 +74,15 @@ std::vector<Method> glyphMethods(ShLayout layout) {
     if (!layout.full && layout.lmax <= 12) {
         methods.push_back(polynomial("polynomial, bracket stop", true));
         methods.push_back(polynomial("polynomial, paper's stop", false));
+        if (layout.lmax <= 4) {
+            methods.push_back(byName(model::Intersection::kPolynomialDouble));
+            methods.push_back(byName(model::Intersection::kLaguerre));
+        }
+        for (const int steps : {100, 200}) {
+            methods.push_back(rayMarch(model::Intersection::kRayMarchPeeters, steps, false));
+            methods.push_back(rayMarch(model::Intersection::kRayMarchVanAlmsick, steps, false));
+            methods.push_back(rayMarch(model::Intersection::kRayMarchVanAlmsick, steps, true));
+        }
     }
     addRasterMethods(methods);
     return methods;

@@ -91,11 +91,11 @@ TEST_F(VolumeFunctions, HitsOfAFoldedBallAreThoseOfTheReference) {
         const std::vector<VolumeRayHit> hits = trace(rays), plain = trace(rays, false);
         const Comparison found = compare(VolumeFunction(image), rays, hits, 1e-3);
         std::printf("isovalue %g: %d hits, %d misses, worst %.2g voxels\n", isovalue, found.hits, found.misses, found.worst);
-        EXPECT_GT(found.hits, 1000);
+        EXPECT_GT(found.hits, 800);
         EXPECT_EQ(found.lost, 0);
         EXPECT_EQ(found.invented, 0);
         EXPECT_EQ(found.apart, 0);
-        EXPECT_LT(found.worst, 2e-3);  // along grazing rays; the value there is right to rounding, see below
+        EXPECT_LT(found.worst, 1e-3);  // along grazing rays; the value there is right to rounding, see below
         std::uint64_t steps = 0, plain_steps = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
             EXPECT_EQ(hits[i].t < kMiss, plain[i].t < kMiss);
