@@ -88,7 +88,7 @@ def check_shader(name):
         other = header.split("/")[1]
         allowed = {"shared"} if room == "shared" else {"shared", "common"} if room == "common" else {"shared", "common", room}
         if room == "test":
-            allowed |= {"glyph", "frame"}
+            allowed |= {"glyph", "isosurface", "frame"}
         if other not in allowed:
             yield f"{name}:{number}: includes {header}; shaders/{room} may include {', '.join(sorted(allowed))} only"
 
