@@ -13,8 +13,12 @@
 namespace radiata::client {
 
 struct FibreOptions {
+    std::string dataset;  ///< empty: no layer of fibres
     std::string colour;  ///< empty: by direction
     std::string column;
+    std::string map;           ///< word of v1::ColourMap
+    std::vector<float> range;  ///< two numbers
+    std::vector<double> uniform;
     std::optional<std::uint32_t> line_width;
     std::optional<float> tube_radius_mm;
     std::vector<double> slab;  ///< point and normal, world, and thickness, mm
@@ -27,10 +31,8 @@ struct FibreOptions {
 };
 
 void addFibreOptions(CLI::App& app, FibreOptions& options);
-/// Whether any of them was given.
-bool anyFibreOption(const FibreOptions& options);
-/// Everything but the dataset, range and map of colours. \throws ClientError(kUsage)
-void setFibres(v1::TractogramLayer& layer, const FibreOptions& options);
+/// A layer of fibres if a tractogram is named. \throws ClientError(kUsage) for options that contradict each other
+void addFibres(v1::Scene& scene, const FibreOptions& options);
 void setFibreQuality(v1::Quality& quality, const FibreOptions& options);
 
 }  // namespace radiata::client

@@ -7,6 +7,7 @@
 
 #include "base/error.h"
 #include "gpu/device.h"
+#include "render/fiblet/fibre_measures.h"
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/shared/layer_look.glsl"
 
@@ -18,15 +19,6 @@ std::string names(const std::vector<Named>& all) {
     std::string list;
     for (const Named& each : all) list += (list.empty() ? "" : ", ") + each.name;
     return list.empty() ? "none" : list;
-}
-
-/// 16 bits behind the codes of a fiblet: how much of its last segment there is.
-double shortenedShare(const model::FibletSet& set, std::size_t fiblet) {
-    const model::FibletHead& head = set.heads[fiblet];
-    const std::uint64_t bit = std::uint64_t{model::fibletSegments(head) - 1} * model::fibletWidth(head);
-    const std::size_t word = set.pages[fiblet / shader::FIBLET_PAGE].first_word + model::fibletWord(head) + bit / 32;
-    const std::uint64_t two = set.codes[word] | std::uint64_t{set.codes[word + 1]} << 32;
-    return static_cast<double>(two >> (bit % 32) & 0xffffU) / 65535;
 }
 
 /// Whether each fibre passes the set's conditions.
@@ -69,18 +61,6 @@ std::vector<bool> passing(const model::FibletSet& set, const model::FibreSet& wa
 }
 
 }  // namespace
-
-std::vector<float> fibreLengths(const model::FibletSet& set) {
-    std::vector<double> lengths(set.fibres(), 0);
-    const double step = static_cast<double>(set.codec.step_mm);
-    for (std::size_t i = 0; i < set.heads.size(); ++i) {
-        const model::FibletHead& head = set.heads[i];
-        double segments = model::fibletSegments(head);
-        if (model::fibletIsShortened(head)) segments += shortenedShare(set, i) - 1;
-        lengths[head.fibre] += step * segments;
-    }
-    return {lengths.begin(), lengths.end()};
-}
 
 std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer) {
     std::vector<std::uint8_t> states(set.fibres(), shader::FIBRE_SHOWN);

@@ -18,9 +18,6 @@ std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::
 /// nothing of the kind does. \throws Error(kInvalidArgument) for a column that the tractogram lacks
 std::vector<float> fibreValues(const model::FibletSet& set, const model::FibreColour& colour);
 
-/// Length of each fibre's decoded points, mm.
-std::vector<float> fibreLengths(const model::FibletSet& set);
-
 /// The two on the device, for as long as the layer's settings stay.
 class FibreLook {
 public:

@@ -21,6 +21,8 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
+/// Points decoded on the device may be that much outside of boxes made on the CPU.
+constexpr double kDecodingMm = 1e-3;
 
 /// Towards the light in world space. Unless it stands in the world it hangs on the camera, so pictures of any view are lit
 /// alike.
@@ -113,6 +115,9 @@ struct Renderer::Impl {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
             result.fibres = tracts.look(device, result.tracts, *fibres);
             result.bounds = result.tracts->bounds();
+            const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
+            result.bounds.minimum -= grown;
+            result.bounds.maximum += grown;
         }
         return result;
     }
@@ -224,13 +229,13 @@ model::Frame Renderer::renderAll(const model::FrameRequest& request, const model
     return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
 }
 
-std::optional<model::PickedGlyph> Renderer::pick(const model::FrameRequest& request, int x, int y) {
+std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y, int radius_px) {
     model::validate(request, impl_->limits);
-    model::FrameRequest pixel = pickRequest(request, x, y, impl_->abilities);
+    model::FrameRequest pixel = pickRequest(request, x, y, radius_px, impl_->abilities);
     model::FrameInfo info;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
-    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y);
+    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {
