@@ -7,6 +7,7 @@
 #include "model/frame.h"
 #include "reference/fiblet.h"
 #include "reference/fibre_picture.h"
+#include "shaders/shared/fiblet_draw.glsl"
 #include "support/random_fibres.h"
 
 namespace radiata::test {
@@ -47,7 +48,9 @@ inline model::FrameRequest fibreRequest(const std::string& dataset, int width, i
     request.height = height;
     request.quality.samples = samples;
     request.scene.annotations.hidden = true;
-    request.scene.layers.emplace_back().content = model::TractogramLayer{.dataset_id = dataset};
+    model::TractogramLayer layer;
+    layer.dataset_id = dataset;
+    request.scene.layers.emplace_back().content = layer;
     return request;
 }
 

@@ -123,7 +123,7 @@ TEST_F(FibrePictures, ShowGroupsSelectionsAndCuts) {
     layer.shown.groups = {"right"};
     for (const int fibre : fibresSeen()) EXPECT_EQ(fibre % 3, 0);
     layer.shown = {};
-    layer.selected = model::FibreSet{.groups = {"left"}, .length_min_mm = {}, .length_max_mm = {}, .fibres = {}};
+    layer.selected.emplace().groups = {"left"};
     EXPECT_GT(fibresSeen().size(), 50) << "the others are dimmed, not hidden";
     layer.unselected = model::UnselectedFibres::kHidden;
     for (const int fibre : fibresSeen()) EXPECT_NE(fibre % 3, 0);
@@ -203,7 +203,7 @@ TEST_F(FibrePictures, ShareThePictureWithGlyphs) {
     model::FrameRequest glyphs = requestOf("field", 160, 120, 3);
     glyphs.camera = cameraAround(image, {1, 2, 3}, true);
     model::FrameRequest fibres = glyphs, both = glyphs;
-    fibres.scene.layers[0].content = model::TractogramLayer{.dataset_id = "fibres"};
+    fibres.scene.layers = fibreRequest("fibres", 1, 1).scene.layers;
     both.scene.layers.insert(both.scene.layers.begin(), fibres.scene.layers[0]);
     const model::Frame g = draw(glyphs), f = draw(fibres), b = draw(both);
     for (const model::PassTime& pass : g.info.passes) EXPECT_EQ(pass.name.find("fiblet"), std::string::npos);
