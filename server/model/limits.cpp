@@ -59,9 +59,7 @@ void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) 
     }
 }
 
-void checkLayer(const Layer& layer, const std::string& where) {
-    const GlyphLayer& glyphs = layer.glyphs;
-    if (glyphs.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
+void checkContent(const GlyphLayer& glyphs, const std::string& where) {
     checkSelection(glyphs.selection, where + ".selection");
     if (!(glyphs.scale.factor > 0 && glyphs.scale.factor <= 1e6F)) {
         refuse(where + ".scale.factor is " + std::to_string(glyphs.scale.factor) + "; it must be above 0 and at most 1e6");
@@ -77,6 +75,15 @@ void checkLayer(const Layer& layer, const std::string& where) {
     if (glyphs.isotropic_part > 0 && glyphs.tensor == TensorShape::kEllipsoid) {
         refuse(where + ".isotropic_part is of Reynolds glyphs and spherical harmonics; an ellipsoid has none");
     }
+}
+
+void checkContent(const TractogramLayer& /*tracts*/, const std::string& /*where*/) {}
+void checkContent(const IsosurfaceLayer& /*surface*/, const std::string& /*where*/) {}
+
+void checkLayer(const Layer& layer, const std::string& where) {
+    const std::string content = where + (layer.ifGlyphs() ? ".glyphs" : layer.ifTracts() ? ".tractogram" : ".isosurface");
+    if (layer.datasetId().empty()) refuse(content + ".dataset_id is empty; the catalogue lists the ids");
+    std::visit([&content](const auto& kind) { checkContent(kind, content); }, layer.content);
     if (!(layer.opacity > 0 && layer.opacity <= 1)) {
         refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
     }
@@ -157,7 +164,7 @@ void checkScene(const Scene& scene, const Limits& limits) {
                                                   " layers; the server draws at most " + std::to_string(limits.layers_max));
     }
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "].glyphs");
+        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "]");
     }
     checkLight(scene.light, limits);
     for (int c = 0; c < 3; ++c) {
@@ -193,7 +200,8 @@ void validate(const FrameRequest& request, const Limits& limits) {
     const Intersection method = request.quality.intersection;
     const bool tensor_method = !marches(method) && !byPolynomial(method) && !byEqualSteps(method);
     for (const Layer& layer : request.scene.layers) {
-        if (tensor_method && layer.glyphs.isotropic_part > 0) {
+        const GlyphLayer* glyphs = layer.ifGlyphs();
+        if (tensor_method && glyphs && glyphs->isotropic_part > 0) {
             refuse("quality.intersection draws tensors as they are; an isotropic_part needs march or polynomial");
         }
     }

@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -82,10 +83,38 @@ struct GlyphLayer {
     bool operator==(const GlyphLayer&) const = default;
 };
 
+/// Streamlines of a tractogram.
+struct TractogramLayer {
+    std::string dataset_id;
+    bool operator==(const TractogramLayer&) const = default;
+};
+
+/// The surface of one value of a scalar volume.
+struct IsosurfaceLayer {
+    std::string dataset_id;
+    bool operator==(const IsosurfaceLayer&) const = default;
+};
+
 struct Layer {
-    GlyphLayer glyphs;
+    std::variant<GlyphLayer, TractogramLayer, IsosurfaceLayer> content;
     float opacity = 1;
     bool casts_shadows = true;
+
+    /// Null: the layer is of another kind.
+    const GlyphLayer* ifGlyphs() const { return std::get_if<GlyphLayer>(&content); }
+    const TractogramLayer* ifTracts() const { return std::get_if<TractogramLayer>(&content); }
+    const IsosurfaceLayer* ifSurface() const { return std::get_if<IsosurfaceLayer>(&content); }
+    /// \throws std::bad_variant_access for a layer of another kind
+    GlyphLayer& glyphs() { return std::get<GlyphLayer>(content); }
+    const GlyphLayer& glyphs() const { return std::get<GlyphLayer>(content); }
+    TractogramLayer& tracts() { return std::get<TractogramLayer>(content); }
+    const TractogramLayer& tracts() const { return std::get<TractogramLayer>(content); }
+    IsosurfaceLayer& surface() { return std::get<IsosurfaceLayer>(content); }
+    const IsosurfaceLayer& surface() const { return std::get<IsosurfaceLayer>(content); }
+    const std::string& datasetId() const {
+        return std::visit([](const auto& layer) -> const std::string& { return layer.dataset_id; }, content);
+    }
+
     bool operator==(const Layer&) const = default;
 };
 

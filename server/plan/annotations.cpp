@@ -32,10 +32,15 @@ std::string conventionText(model::Convention convention, const glm::dvec3& right
 }
 
 std::string lobesText(const model::Scene& scene) {
-    const auto shown = [](const model::Layer& layer) { return layer.glyphs.negative_lobes == model::NegativeLobes::kShown; };
-    if (std::all_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes shown";
-    if (std::none_of(scene.layers.begin(), scene.layers.end(), shown)) return "negative lobes hidden";
-    return "negative lobes hidden in some layers";
+    std::size_t shown = 0, hidden = 0;
+    for (const model::Layer& layer : scene.layers) {
+        if (const model::GlyphLayer* glyphs = layer.ifGlyphs()) {
+            ++(glyphs->negative_lobes == model::NegativeLobes::kShown ? shown : hidden);
+        }
+    }
+    if (shown + hidden == 0) return {};
+    if (hidden == 0) return "negative lobes shown";
+    return shown == 0 ? "negative lobes hidden" : "negative lobes hidden in some layers";
 }
 
 std::string shortNumber(float value) {
@@ -48,14 +53,13 @@ std::string shortNumber(float value) {
 std::string subsetText(const model::Scene& scene, const SubsetFacts& facts) {
     if (facts.glyphs >= facts.glyphs_available) return {};
     std::string what = "subset";
-    if (!scene.layers.empty()) {
-        const model::Region region = scene.layers.front().glyphs.selection.region;
-        const auto same = [region](const model::Layer& layer) { return layer.glyphs.selection.region == region; };
-        if (std::all_of(scene.layers.begin(), scene.layers.end(), same)) {
-            if (region == model::Region::kSlice) what = "slice";
-            if (region == model::Region::kSlab) what = "slab";
-        }
-    }
+    const auto all = [&scene](model::Region region) {
+        return std::ranges::all_of(scene.layers, [region](const model::Layer& layer) {
+            return !layer.ifGlyphs() || layer.glyphs().selection.region == region;
+        });
+    };
+    if (all(model::Region::kSlice)) what = "slice";
+    if (all(model::Region::kSlab)) what = "slab";
     return what + ": " + std::to_string(facts.glyphs) + " of " + std::to_string(facts.glyphs_available) + " glyphs shown";
 }
 
@@ -101,10 +105,10 @@ std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameSt
         corner("not for diagnostic use", 1, 1, 0),
         corner(stateText(state, samples, request.quality.samples), 0, 0, 0),
         corner(conventionText(request.scene.annotations.convention, axes.right), 0, 1, 0),
-        corner(lobesText(request.scene), 0, 0, 1),
     };
-    if (std::string subset = subsetText(request.scene, facts); !subset.empty()) {
-        marks.push_back(corner(std::move(subset), 0, 0, 2));
+    int line = 1;
+    for (std::string text : {lobesText(request.scene), subsetText(request.scene, facts)}) {
+        if (!text.empty()) marks.push_back(corner(std::move(text), 0, 0, line++));
     }
     return marks;
 }
@@ -113,7 +117,8 @@ std::vector<model::ColourBar> colourBars(const model::FrameRequest& request) {
     std::vector<model::ColourBar> bars;
     if (request.scene.annotations.hidden) return bars;
     for (const model::Layer& layer : request.scene.layers) {
-        const model::GlyphColour& colour = layer.glyphs.colour;
+        if (!layer.ifGlyphs()) continue;
+        const model::GlyphColour& colour = layer.glyphs().colour;
         if (!colour.usesMap() || !colour.range) continue;
         const std::string title = colour.mode == model::ColourMode::kRadius ? "radius, mm" : colour.image_id;
         const model::ColourBar bar{colour.map, title, shortNumber(colour.range->low), shortNumber(colour.range->high)};

@@ -110,7 +110,7 @@ TableUse tableUse(const std::vector<model::Layer>& wanted, const std::vector<Lay
     for (std::size_t i = 0; i < layers.size(); ++i) {
         const LayerFacts& layer = layers[i];
         if (layer.camera_close || layer.glyphs == 0) continue;
-        use.band = std::max(use.band, wanted[i].glyphs.lmax.value_or(layer.layout.lmax));
+        use.band = std::max(use.band, wanted[i].glyphs().lmax.value_or(layer.layout.lmax));
         rays += layer.rays_per_glyph * static_cast<double>(layer.glyphs);
         glyphs += static_cast<double>(layer.glyphs);
     }
@@ -164,6 +164,16 @@ void resolveMethod(model::Quality& quality, bool uses_table) {
     if (model::byPolynomial(method)) quality.polynomial.tolerance = model::polynomialTolerance(method, quality.polynomial);
 }
 
+/// Passes of the layer that writes the surface buffer first need nothing from it.
+void markFirst(std::vector<PassPlan>& passes) {
+    const auto writes = [](const PassPlan& pass) {
+        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface;
+    };
+    const auto first = std::ranges::find_if(passes, writes);
+    if (first == passes.end()) return;
+    for (PassPlan& pass : passes) pass.first = pass.layer == first->layer;
+}
+
 /// Ends of a colour map that the request leaves open.
 model::ColourRange colourRange(const model::GlyphColour& colour, const LayerFacts& facts) {
     if (colour.range) return *colour.range;
@@ -199,15 +209,20 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     const model::PoleTable table_wanted = table_asked ? model::PoleTable::kOn : request.quality.pole_table;
     const TableUse table_use = tableUse(request.scene.layers, layers);
     for (std::size_t i = 0; i < layers.size(); ++i) {
+        plan.layer_kinds |= 1U << request.scene.layers[i].content.index();
+        if (!request.scene.layers[i].ifGlyphs()) {
+            plan.glyphs.emplace_back();
+            continue;
+        }
         const std::string where = "scene.layers[" + std::to_string(i) + "].glyphs";
-        GlyphPlan glyphs = planMethod(request.quality, request.scene.layers[i].glyphs, layers[i], abilities, where);
+        GlyphPlan glyphs = planMethod(request.quality, request.scene.layers[i].glyphs(), layers[i], abilities, where);
         std::string reason;
-        const std::string tensors = tensorShader(request.scene.layers[i].glyphs, where, layers[i].tensor_order, method);
+        const std::string tensors = tensorShader(request.scene.layers[i].glyphs(), where, layers[i].tensor_order, method);
         glyphs.pole_table = choosePoleTable(table_wanted, method, !tensors.empty(), layers[i], table_use, reason);
         if (i == 0 || glyphs.pole_table) plan.pole_table_reason = reason;
         plan.uses_pole_table = plan.uses_pole_table || glyphs.pole_table;
-        plan.resolved.scene.layers[i].glyphs.lmax = request.scene.layers[i].glyphs.lmax.value_or(layers[i].layout.lmax);
-        model::GlyphColour& colour = plan.resolved.scene.layers[i].glyphs.colour;
+        plan.resolved.scene.layers[i].glyphs().lmax = request.scene.layers[i].glyphs().lmax.value_or(layers[i].layout.lmax);
+        model::GlyphColour& colour = plan.resolved.scene.layers[i].glyphs().colour;
         if (colour.usesMap()) colour.range = colourRange(colour, layers[i]);
         plan.colour_modes |= 1U << static_cast<std::uint32_t>(colour.mode);
         const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
@@ -225,6 +240,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         }
         plan.glyphs.push_back(std::move(glyphs));
     }
+    markFirst(plan.passes);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);

@@ -81,17 +81,20 @@ struct PassPlan {
     PassKind kind;
     std::string name;    ///< "glyph table 0", "glyph trace 0", "uncertainty 0", "sun table 0", "shadow 0", "light", "resolve"
     std::string shader;  ///< module
-    int layer = -1;      ///< of glyph passes
+    int layer = -1;      ///< of passes that draw or light one layer
+    bool first = false;  ///< of the layer that writes the surface buffer first: every pixel of it, and reads none
 };
 
 struct FramePlan {
     model::FrameRequest resolved;                       ///< the request with every choice filled in
-    std::vector<GlyphPlan> glyphs;                      ///< one per layer
+    std::vector<GlyphPlan> glyphs;                      ///< one per layer; empty for layers of other kinds
     std::vector<std::optional<GlyphPlan>> uncertainty;  ///< of each layer's second glyphs, where it has them
     VisibilityPlan visibility;
     std::vector<PassPlan> passes;
     /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
     std::uint32_t colour_modes = 0;
+    /// And for which kinds of layers: bit 1 << index of model::Layer::content.
+    std::uint32_t layer_kinds = 0;
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;

@@ -10,7 +10,8 @@ namespace radiata::plan {
 void planUncertainty(FramePlan& plan, const std::vector<LayerFacts>& layers, const Abilities& abilities) {
     plan.uncertainty.resize(layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        model::GlyphLayer& layer = plan.resolved.scene.layers[i].glyphs;
+        if (!plan.resolved.scene.layers[i].ifGlyphs()) continue;
+        model::GlyphLayer& layer = plan.resolved.scene.layers[i].glyphs();
         if (!layer.uncertainty) continue;
         if (layers[i].uncertainty.empty()) {
             throw Error(Code::kInternal, "layer " + std::to_string(i) + " was prepared without its uncertainty");

@@ -33,7 +33,8 @@ void planVisibility(FramePlan& plan, const std::vector<LayerFacts>& layers, cons
     if (scene.light.ambient_occlusion && !scene.light.ambient_occlusion->radius_mm) {
         scene.light.ambient_occlusion->radius_mm = static_cast<float>(2 * layers.front().voxel_edge_mm);
     }
-    const bool casters = std::ranges::any_of(scene.layers, &model::Layer::casts_shadows);
+    const bool casters =
+        std::ranges::any_of(scene.layers, [](const model::Layer& layer) { return layer.ifGlyphs() && layer.casts_shadows; });
     VisibilityPlan& visibility = plan.visibility;
     if (casters && scene.light.irradiance > 0) visibility.shadow = scene.light.shadow;
     visibility.occlusion = casters && scene.light.ambient > 0 && scene.light.ambient_occlusion.has_value();
@@ -52,7 +53,7 @@ void planVisibility(FramePlan& plan, const std::vector<LayerFacts>& layers, cons
                     "self-test on this device, so draw without them");
     }
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (!scene.layers[i].casts_shadows) continue;
+        if (!scene.layers[i].ifGlyphs() || !scene.layers[i].casts_shadows) continue;
         const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
         const int layer = static_cast<int>(i);
         const std::string shader = "glyph_visibility_" + plan.glyphs[i].layout_name;

@@ -25,8 +25,8 @@ void answerWith(UnaryCall* call, Work&& work) {
 void checkSelection(const std::string& dataset_id, const model::VoxelSelection& selection) {
     model::FrameRequest request;
     request.scene.layers.emplace_back();
-    request.scene.layers[0].glyphs.dataset_id = dataset_id;
-    request.scene.layers[0].glyphs.selection = selection;
+    request.scene.layers[0].glyphs().dataset_id = dataset_id;
+    request.scene.layers[0].glyphs().selection = selection;
     try {
         model::validate(request, {});
     } catch (const Error& error) {

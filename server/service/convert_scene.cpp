@@ -144,10 +144,10 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
         model::Layer& added = result.layers.emplace_back();
         if (layer.has_tensor_glyphs()) {
             const v1::TensorGlyphLayer& tensors = layer.tensor_glyphs();
-            added.glyphs = fromGlyphs(tensors.glyphs(), layer_where + ".tensor_glyphs.glyphs");
-            added.glyphs.tensor = fromProto(tensors.shape(), layer_where + ".tensor_glyphs.shape");
+            added.glyphs() = fromGlyphs(tensors.glyphs(), layer_where + ".tensor_glyphs.glyphs");
+            added.glyphs().tensor = fromProto(tensors.shape(), layer_where + ".tensor_glyphs.shape");
         } else {
-            added.glyphs = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
+            added.glyphs() = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
         }
         if (layer.has_opacity()) added.opacity = layer.opacity();
         if (layer.has_casts_shadows()) added.casts_shadows = layer.casts_shadows();
@@ -163,11 +163,11 @@ v1::Scene toProto(const model::Scene& scene) {
     v1::Scene message;
     for (const model::Layer& layer : scene.layers) {
         v1::Layer* added = message.add_layers();
-        if (layer.glyphs.tensor) {
-            *added->mutable_tensor_glyphs()->mutable_glyphs() = toProto(layer.glyphs);
-            added->mutable_tensor_glyphs()->set_shape(toProto(*layer.glyphs.tensor));
+        if (layer.glyphs().tensor) {
+            *added->mutable_tensor_glyphs()->mutable_glyphs() = toProto(layer.glyphs());
+            added->mutable_tensor_glyphs()->set_shape(toProto(*layer.glyphs().tensor));
         } else {
-            *added->mutable_glyphs() = toProto(layer.glyphs);
+            *added->mutable_glyphs() = toProto(layer.glyphs());
         }
         added->set_opacity(layer.opacity);
         added->set_casts_shadows(layer.casts_shadows);

@@ -22,9 +22,9 @@ grpc::ServerUnaryReactor* ViewService::Update(Context*, const Bytes* request, By
         worker_.post([this, call, view, change] {
             try {
                 for (const model::Layer& layer : change.scene->layers) {
-                    conductor_.backend().info(layer.glyphs.dataset_id);
-                    if (layer.glyphs.colour.mode != model::ColourMode::kScalar) continue;
-                    conductor_.backend().info(layer.glyphs.colour.image_id);
+                    conductor_.backend().info(layer.datasetId());
+                    if (!layer.ifGlyphs() || layer.glyphs().colour.mode != model::ColourMode::kScalar) continue;
+                    conductor_.backend().info(layer.glyphs().colour.image_id);
                 }
                 conductor_.update(view, change);
             } catch (...) {

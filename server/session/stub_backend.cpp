@@ -72,7 +72,7 @@ void fillOutputs(model::FramePixels& pixels, const model::Outputs& outputs) {
 model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameRequest& request, int first_sample, int count,
                   const model::Outputs& outputs, const std::atomic<bool>* cancel) {
     const auto start = Clock::now();
-    for (const model::Layer& layer : request.scene.layers) lookUp(layer.glyphs.dataset_id);
+    for (const model::Layer& layer : request.scene.layers) lookUp(layer.datasetId());
     rest(sample_time * count, cancel);
     model::Frame frame;
     frame.info.request = request;
@@ -92,7 +92,7 @@ model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameReque
 
 /// The left half of the picture is one glyph with two lobes along y; the right half is empty.
 std::optional<model::PickedGlyph> pick(const model::FrameRequest& request, int x, int y) {
-    const std::string& id = request.scene.layers[0].glyphs.dataset_id;
+    const std::string& id = request.scene.layers[0].datasetId();
     const model::DatasetInfo info = lookUp(id);
     if (2 * x >= request.width) return std::nullopt;
     model::PickedGlyph glyph;

@@ -11,6 +11,7 @@
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
+layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -31,6 +32,14 @@ layout(push_constant, scalar) uniform Push {
     MediumBuffer media;  // not read without kMedia
 } push;
 
+bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
+
+vec3 glyphColour(FrameParams frame, LayerLook look, uint who, PixelRay ray, float depth) {
+    const GlyphInstance instance = InstanceBuffer(look.instances).at[who];
+    const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
+    return baseColour(look, who, ray.origin - centre + depth * ray.direction);
+}
+
 void main() {
     const FrameParams frame = push.frame.frame;
     const uint at = gl_GlobalInvocationID.x;
@@ -41,10 +50,8 @@ void main() {
         const vec2 point = vec2(at % frame.width, at / frame.width) + 0.5 + frame.jitter;
         const PixelRay ray = pixelRay(frame.rays, vec2(frame.width, frame.height), point);
         const LayerLook look = push.looks.at[surface.layer_and_steps >> 24u];
-        const GlyphInstance instance = InstanceBuffer(look.instances).at[surface.who];
-        const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
-        const vec3 offset = ray.origin - centre + surface.depth * ray.direction;
-        const vec3 base = baseColour(look, surface.who, offset);
+        vec3 base = vec3(0.5);
+        if (isKind(look, LAYER_GLYPHS)) base = glyphColour(frame, look, surface.who, ray, surface.depth);
         const vec3 lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         radiance = mix(radiance, lit, look.opacity);
     }

@@ -5,13 +5,20 @@
 SHADER_NAMESPACE_BEGIN
 
 // Values of LayerLook.colour; bit 1 << value of the light pass's kColourModes says that some layer has it.
+// Kinds of layers: the order of model::Layer::content.
 #ifdef __cplusplus
+constexpr uint LAYER_GLYPHS = 0;
+constexpr uint LAYER_TRACTS = 1;
+constexpr uint LAYER_SURFACE = 2;
 constexpr uint COLOUR_DIRECTION = 0;
 constexpr uint COLOUR_RADIUS = 1;
 constexpr uint COLOUR_SCALAR = 2;
 constexpr uint COLOUR_UNIFORM = 3;
 constexpr float COLOUR_NO_VALUE = 3.4e38F;
 #else
+#define LAYER_GLYPHS 0u
+#define LAYER_TRACTS 1u
+#define LAYER_SURFACE 2u
 #define COLOUR_DIRECTION 0u
 #define COLOUR_RADIUS 1u
 #define COLOUR_SCALAR 2u
@@ -28,7 +35,7 @@ struct LayerLook {
     vec3 uniform_colour;  // linear RGB
     float range_low;     // of the map: mm, or values
     float range_high;
-    uint pad;
+    uint kind;           // LAYER_GLYPHS, ...; bit 1 << value of the light pass's kLayerKinds says that some layer is of it
 };
 STATIC_SIZE(LayerLook, 56);
 

@@ -22,7 +22,7 @@ void require(bool holds, const char* what) {
 
 model::FrameRequest base() {
     model::FrameRequest request;
-    request.scene.layers.emplace_back().glyphs.dataset_id = "base";
+    request.scene.layers.emplace_back().glyphs().dataset_id = "base";
     return request;
 }
 

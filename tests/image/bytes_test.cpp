@@ -9,7 +9,7 @@ class Bytes : public ImageTest {
 protected:
     model::FrameRequest brain(glm::dvec3 towards) {
         model::FrameRequest request = requestOf("brain", 160, 120, 1);
-        request.scene.layers[0].glyphs.scale = {};
+        request.scene.layers[0].glyphs().scale = {};
         request.camera = cameraAround(image, towards, true);
         request.quality.samples = 6;
         return request;
@@ -54,7 +54,7 @@ TEST_F(Bytes, AreEqualAfterOtherPictures) {
     renderer.render(used, other, 0, 1);
     for (int i = 0; i < 3; ++i) {
         model::FrameRequest turned = brain({1, 2 - i, 3});
-        turned.scene.layers[0].glyphs.lmax = 2;
+        turned.scene.layers[0].glyphs().lmax = 2;
         turned.scene.layers[0].opacity = 0.5F;
         turned.quality.samples = 2;
         turned.quality.traversal = i == 0 ? model::Traversal::kBvh : model::Traversal::kTiles;

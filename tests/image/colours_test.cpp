@@ -24,7 +24,7 @@ protected:
         request.scene.background = {0.25F, 0.5F, 0.75F};
     }
 
-    model::GlyphColour& colour() { return request.scene.layers[0].glyphs.colour; }
+    model::GlyphColour& colour() { return request.scene.layers[0].glyphs().colour; }
 
     model::ScalarImage scalars() const {
         model::ScalarImage made{image.size, image.voxel_to_world, {}, "values"};
@@ -80,7 +80,7 @@ TEST_F(Colours, ByDirectionRadiusAndOneColourAreTheirTwins) {
         if (own) colour().range = model::ColourRange{0.3F, 1.7F};
         if (!own) colour().range.reset();
         const model::Frame frame = draw(request);
-        const model::GlyphColour& resolved = frame.info.request.scene.layers[0].glyphs.colour;
+        const model::GlyphColour& resolved = frame.info.request.scene.layers[0].glyphs().colour;
         ASSERT_TRUE(resolved.range) << "an open range is filled in";
         if (!own) {
             EXPECT_FLOAT_EQ(resolved.range->high, 2 * store.info("field").amplitude_typical);
@@ -100,7 +100,7 @@ TEST_F(Colours, ByAScalarVolumeAreTheValuesAtTheGlyphsVoxels) {
     colour().mode = model::ColourMode::kScalar;
     colour().image_id = "values";
     const auto base = [&](const model::Frame& frame) {
-        const model::GlyphColour resolved = frame.info.request.scene.layers[0].glyphs.colour;
+        const model::GlyphColour resolved = frame.info.request.scene.layers[0].glyphs().colour;
         return [&values, resolved](const glm::ivec3& voxel, const glm::dvec3&) {
             const float value = values.at(voxel);
             if (std::isnan(value)) return glm::dvec3(reference::linearFromSrgb(0.5));
@@ -108,7 +108,7 @@ TEST_F(Colours, ByAScalarVolumeAreTheValuesAtTheGlyphsVoxels) {
         };
     };
     const model::Frame whole = draw(request);
-    EXPECT_EQ(whole.info.request.scene.layers[0].glyphs.colour.range, (model::ColourRange{-4, 6}));
+    EXPECT_EQ(whole.info.request.scene.layers[0].glyphs().colour.range, (model::ColourRange{-4, 6}));
     EXPECT_LE(worstChannel(whole, base(whole)), kBound);
     // The same volume with its first axis stored backwards, and a range that cuts both ends.
     model::ScalarImage reversed = values;
@@ -140,7 +140,7 @@ TEST_F(Colours, OfUnfitImagesAreRefused) {
         EXPECT_EQ(codeOf([&] { draw(request); }), code) << id;
     }
     colour() = {};
-    EXPECT_EQ(draw(request).info.request.scene.layers[0].glyphs.colour.mode, model::ColourMode::kDirection);
+    EXPECT_EQ(draw(request).info.request.scene.layers[0].glyphs().colour.mode, model::ColourMode::kDirection);
 }
 
 /// A map is 3 KiB and a value 4 bytes a glyph, and only scenes that use them have them.

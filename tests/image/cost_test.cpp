@@ -85,7 +85,7 @@ TEST_F(Cost, OfAPictureThatNobodyWantsEndsSoon) {
     const model::ShImage image = phantomImage(20, 8);
     store.add("brain", image);
     model::FrameRequest request = requestOf("brain", 2560, 1440, 1);
-    request.scene.layers[0].glyphs.scale = {};
+    request.scene.layers[0].glyphs().scale = {};
     request.camera = cameraAround(image, {1, 2, 3}, true);
     request.quality.samples = 64;
     render::Target target;
@@ -150,7 +150,7 @@ TEST_F(Validated, IsEveryWayToDraw) {
     }
     request.quality.intersection = model::Intersection::kMarch;
     request.scene.layers.push_back(request.scene.layers[0]);
-    request.scene.layers[1].glyphs.dataset_id = "full";
+    request.scene.layers[1].glyphs().dataset_id = "full";
     request.width = 31;  // another size in the same target
     drawAll();
     EXPECT_EQ(frames, 15);

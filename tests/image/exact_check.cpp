@@ -156,7 +156,7 @@ std::ostream& operator<<(std::ostream& out, const ExactCheck& check) {
 
 ExactCheck checkAgainstReference(const model::Frame& frame, const model::ShImage& image, int pixels) {
     const model::FrameRequest& request = frame.info.request;
-    const model::GlyphLayer& layer = request.scene.layers.at(0).glyphs;
+    const model::GlyphLayer& layer = request.scene.layers.at(0).glyphs();
     const double scale = layer.scale.factor;
     const bool both = layer.negative_lobes == model::NegativeLobes::kShown;
     const std::vector<Candidate> candidates = candidatesOf(image, layer);

@@ -54,7 +54,7 @@ TEST_F(ExactOutputs, ShowNegativeLobesAndOddBands) {
     model::FrameRequest request = requestOf("field", 160, 120, 2);
     request.camera = cameraAround(image, {-2, 1, 1}, true);
     for (const model::NegativeLobes lobes : {model::NegativeLobes::kShown, model::NegativeLobes::kHidden}) {
-        request.scene.layers[0].glyphs.negative_lobes = lobes;
+        request.scene.layers[0].glyphs().negative_lobes = lobes;
         hold(request, image, 600, 100);
     }
 }

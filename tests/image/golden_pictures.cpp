@@ -27,7 +27,7 @@ Scene sceneOf(const std::string& name) {
     Scene scene;
     scene.request = requestOf("golden", kWidth, kHeight, 1);
     scene.request.quality.samples = 4;
-    model::GlyphLayer& layer = scene.request.scene.layers[0].glyphs;
+    model::GlyphLayer& layer = scene.request.scene.layers[0].glyphs();
     layer.scale = {model::ScaleMode::kPerGlyph, 1};
     if (name == "axial_slice") {
         scene.image = phantomImage(16, 8);
@@ -112,11 +112,11 @@ std::vector<std::string> goldenNames() {
 
 Drawn drawGolden(const std::string& name, store::Store& store, render::Renderer& renderer, bool shift_one_glyph) {
     Scene scene = sceneOf(name);
-    scene.request.scene.layers[0].glyphs.dataset_id = name;
+    scene.request.scene.layers[0].glyphs().dataset_id = name;
     store.add(name, scene.image);
     if (scene.fit) {
         const double aspect = static_cast<double>(kWidth) / kHeight;
-        const model::VoxelSelection& selection = scene.request.scene.layers[0].glyphs.selection;
+        const model::VoxelSelection& selection = scene.request.scene.layers[0].glyphs().selection;
         scene.request.camera = renderer.fitCamera(name, selection, scene.convention, aspect);
     }
     model::Outputs outputs;
@@ -124,7 +124,7 @@ Drawn drawGolden(const std::string& name, store::Store& store, render::Renderer&
     model::Frame frame = renderer.renderAll(scene.request, outputs);
     if (shift_one_glyph) {
         shiftOneGlyph(scene.image, idPicture(scene.image, frame.pixels));
-        scene.request.scene.layers[0].glyphs.dataset_id = name + "-shifted";
+        scene.request.scene.layers[0].glyphs().dataset_id = name + "-shifted";
         store.add(name + "-shifted", scene.image);
         frame = renderer.renderAll(scene.request, outputs);
     }

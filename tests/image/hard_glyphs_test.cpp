@@ -28,7 +28,7 @@ TEST_F(HardGlyphs, OfBandSixteen) {
         const std::string id = full ? "full16" : "even16";
         store.add(id, image);
         model::FrameRequest request = requestOf(id, 160, 120, 2);
-        request.scene.layers[0].glyphs.negative_lobes = full ? model::NegativeLobes::kHidden : model::NegativeLobes::kShown;
+        request.scene.layers[0].glyphs().negative_lobes = full ? model::NegativeLobes::kHidden : model::NegativeLobes::kShown;
         request.camera = cameraAround(image, {1, -1, 2}, true);
         hold(request, image, 300, 100);
     }
@@ -44,7 +44,7 @@ TEST_F(HardGlyphs, OfASingleCoefficient) {
     store.add("single", image);
     model::FrameRequest request = requestOf("single", 200, 150, 1.2F);
     for (const model::NegativeLobes lobes : {model::NegativeLobes::kShown, model::NegativeLobes::kHidden}) {
-        request.scene.layers[0].glyphs.negative_lobes = lobes;
+        request.scene.layers[0].glyphs().negative_lobes = lobes;
         request.camera = cameraAround(image, {1, 1, 3}, false);
         hold(request, image, 1000, 100);
     }
@@ -56,11 +56,11 @@ TEST_F(HardGlyphs, LimitedToFewBands) {
     model::FrameRequest request = requestOf("field", 160, 120, 2);
     request.camera = cameraAround(image, {3, 1, 2}, true);
     for (const int lmax : {0, 2, 5}) {
-        request.scene.layers[0].glyphs.lmax = lmax;
+        request.scene.layers[0].glyphs().lmax = lmax;
         const model::Frame frame = hold(request, image, 500, 100);
-        EXPECT_EQ(frame.info.request.scene.layers[0].glyphs.lmax, lmax);
+        EXPECT_EQ(frame.info.request.scene.layers[0].glyphs().lmax, lmax);
     }
-    request.scene.layers[0].glyphs.lmax = 10;
+    request.scene.layers[0].glyphs().lmax = 10;
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
 }
 
@@ -79,10 +79,10 @@ TEST_F(HardGlyphs, LimitedInsideAFullBasisEqualTheCutImage) {
         store.add(id, cut);
         model::FrameRequest request = requestOf("full", 160, 120, 2);
         request.camera = cameraAround(image, {3, 1, 2}, true);
-        request.scene.layers[0].glyphs.lmax = lmax;
+        request.scene.layers[0].glyphs().lmax = lmax;
         const model::Frame limited = hold(request, image, 300, 50);
-        request.scene.layers[0].glyphs.dataset_id = id;
-        request.scene.layers[0].glyphs.lmax.reset();
+        request.scene.layers[0].glyphs().dataset_id = id;
+        request.scene.layers[0].glyphs().lmax.reset();
         const model::Frame whole = draw(request);
         EXPECT_EQ(compareSurfaces(limited, whole).other_ids, 0);
         EXPECT_EQ(limited.pixels.rgba, whole.pixels.rgba);
@@ -107,7 +107,7 @@ TEST_F(HardGlyphs, WithoutAnyVisibleLobe) {
         return voxels;
     };
     EXPECT_EQ(shown(draw(request)), (std::set<int>{2}));
-    request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
     EXPECT_EQ(shown(draw(request)), (std::set<int>{1, 2}));
 }
 

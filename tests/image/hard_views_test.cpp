@@ -126,7 +126,7 @@ TEST_F(HardViews, AKilometreFromTheOrigin) {
         const std::string id = perspective ? "moved" : "moved-parallel";
         store.add(id, moved);
         model::FrameRequest there = request;
-        there.scene.layers[0].glyphs.dataset_id = id;
+        there.scene.layers[0].glyphs().dataset_id = id;
         there.camera.eye_mm += move;
         there.camera.target_mm += move;
         const model::Frame frame = draw(there);
@@ -172,9 +172,9 @@ TEST_F(HardViews, OverTheLimitAreRefused) {
     request.width = 0;
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
     request.width = request.height = 16;
-    request.scene.layers[0].glyphs.dataset_id = "no-such";
+    request.scene.layers[0].glyphs().dataset_id = "no-such";
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kNotFound);
-    request.scene.layers[0].glyphs.dataset_id = "field";
+    request.scene.layers[0].glyphs().dataset_id = "field";
     request.camera.up = request.camera.eye_mm - request.camera.target_mm;
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
     request.camera.up = {0, 0, 1};

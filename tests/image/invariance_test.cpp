@@ -26,15 +26,15 @@ protected:
     static View plain(ShLayout layout, bool perspective) {
         View view{randomField(layout, {3, 2, 2}, 31, glm::dmat4(1.0)), requestOf("", kWidth, kHeight, 0.4F)};
         view.request.scene.annotations.hidden = true;
-        view.request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
-        view.request.scene.layers[0].glyphs.colour.mode = model::ColourMode::kUniform;
+        view.request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
+        view.request.scene.layers[0].glyphs().colour.mode = model::ColourMode::kUniform;
         view.request.camera = cameraAround(view.image, {0.5, -1, 0.7}, perspective);
         return view;
     }
 
     model::Frame drawn(const std::string& id, View view) {
         store.add(id, std::move(view.image));
-        view.request.scene.layers[0].glyphs.dataset_id = id;
+        view.request.scene.layers[0].glyphs().dataset_id = id;
         return draw(view.request);
     }
 
@@ -116,7 +116,7 @@ TEST_F(Invariance, ScaledWithItsCamera) {
         View scaled = view;
         scaled.image.voxel_to_world = glm::dmat4(glm::dmat3(scale));
         scaled.image.voxel_to_world[3] = glm::dvec4(scale * glm::dvec3(view.image.voxel_to_world[3]), 1);
-        scaled.request.scene.layers[0].glyphs.scale.factor = float(scale * 0.4F);
+        scaled.request.scene.layers[0].glyphs().scale.factor = float(scale * 0.4F);
         scaled.request.camera.eye_mm *= scale;
         scaled.request.camera.target_mm *= scale;
         scaled.request.camera.height_mm *= scale;

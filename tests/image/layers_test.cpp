@@ -20,13 +20,13 @@ TEST_F(Layers, OfDifferentDatasetsHideEachOtherByDepth) {
     request.camera = cameraAround(first, {1, 2, 3}, true);
     for (const model::Traversal traversal : {model::Traversal::kTiles, model::Traversal::kBvh, model::Traversal::kRayQuery}) {
         request.quality.traversal = traversal;
-        request.scene.layers[0].glyphs.dataset_id = "first";
+        request.scene.layers[0].glyphs().dataset_id = "first";
         request.scene.layers.resize(1);
         const model::Frame a = draw(request);
-        request.scene.layers[0].glyphs.dataset_id = "second";
+        request.scene.layers[0].glyphs().dataset_id = "second";
         const model::Frame b = draw(request);
         request.scene.layers.push_back(request.scene.layers[0]);
-        request.scene.layers[0].glyphs.dataset_id = "first";
+        request.scene.layers[0].glyphs().dataset_id = "first";
         const model::Frame both = draw(request);
         int wrong = 0, of_first = 0, of_second = 0;
         std::uint64_t shown = 0;

@@ -17,7 +17,7 @@ protected:
         store.add(id, image);
         model::FrameRequest request = requestOf(id, 120, 90, 2);
         request.camera = cameraAround(image, {1, 2, 2}, true);
-        request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+        request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
         request.quality.samples = 1;
         return request;
     }
@@ -105,7 +105,7 @@ TEST_F(Methods, PolynomialDrawsOddBandsAlone) {
     EXPECT_GT(hitPixels(march), 1000);
     EXPECT_LE(wrong, 3);
     store.add("both", randomField({5, true}, {2, 1, 1}, 6, obliqueAffine()));
-    request.scene.layers[0].glyphs.dataset_id = "both";
+    request.scene.layers[0].glyphs().dataset_id = "both";
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kUnsupported);
 }
 

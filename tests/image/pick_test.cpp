@@ -18,11 +18,11 @@ TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
     store.add("first", first);
     store.add("second", second);
     model::FrameRequest request = requestOf("first", 16, 12, 2);
-    request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
-    request.scene.layers[0].glyphs.lmax = 5;
+    request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
+    request.scene.layers[0].glyphs().lmax = 5;
     request.scene.layers.push_back(request.scene.layers[0]);
-    request.scene.layers[1].glyphs.dataset_id = "second";
-    request.scene.layers[1].glyphs.lmax.reset();
+    request.scene.layers[1].glyphs().dataset_id = "second";
+    request.scene.layers[1].glyphs().lmax.reset();
     request.quality.samples = 1;
     double worst_place = 0, worst_radius = 0, worst_amplitude = 0;
     int hits = 0, negative = 0;
@@ -75,7 +75,7 @@ TEST_F(Picks, DoNotDependOnHowThePictureIsDrawn) {
     request.quality.traversal = model::Traversal::kTiles;
     request.quality.intersection = model::Intersection::kPolynomial;
     request.quality.samples = 64;
-    request.scene.layers[0].glyphs.colour.mode = model::ColourMode::kRadius;
+    request.scene.layers[0].glyphs().colour.mode = model::ColourMode::kRadius;
     request.scene.light.irradiance = 0;
     // A picture in the making is not disturbed.
     request.quality.intersection = model::Intersection::kMarch;
@@ -99,9 +99,9 @@ TEST_F(Picks, OutsideThePictureAreRefusedAndBesideTheGlyphsAreNothing) {
     for (const auto& [x, y] : {std::pair{64, 0}, {0, 48}, {-1, 0}, {0, -1}, {2147483647, 0}}) {
         EXPECT_EQ(codeOf([&, px = x, py = y] { renderer.pick(request, px, py); }), Code::kInvalidArgument);
     }
-    request.scene.layers[0].glyphs.selection = {model::Region::kSlab, model::Plane::kAxial, glm::dvec3(900), {0, 0, 1}, 1};
+    request.scene.layers[0].glyphs().selection = {model::Region::kSlab, model::Plane::kAxial, glm::dvec3(900), {0, 0, 1}, 1};
     EXPECT_FALSE(renderer.pick(request, 32, 24)) << "a layer without glyphs";
-    request.scene.layers[0].glyphs.dataset_id = "nowhere";
+    request.scene.layers[0].glyphs().dataset_id = "nowhere";
     EXPECT_EQ(codeOf([&] { renderer.pick(request, 0, 0); }), Code::kNotFound);
 }
 

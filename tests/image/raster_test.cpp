@@ -87,7 +87,7 @@ TEST_F(Raster, BoxesGiveTheTracedPictureInPerspectiveAndParallel) {
         request.quality.samples = 3;
         request.camera = cameraAround(image, {-1, 2, 1}, perspective);
         holdBoxesAgainstTracing(request);
-        request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+        request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
         const double distance = glm::length(request.camera.target_mm - request.camera.eye_mm);
         request.camera.clip = model::Clip{distance - 0.7, distance + 1.5};
         holdBoxesAgainstTracing(request);
@@ -136,9 +136,9 @@ TEST_F(Raster, LayersOfAnyKindMixByDepth) {
     model::FrameRequest request = requestOf("a", 140, 100, 2);
     store.add("c", randomField({2, true}, {4, 4, 3}, 13, obliqueAffine()));
     request.scene.layers.push_back(request.scene.layers[0]);
-    request.scene.layers[1].glyphs.dataset_id = "b";
+    request.scene.layers[1].glyphs().dataset_id = "b";
     request.scene.layers.push_back(request.scene.layers[0]);
-    request.scene.layers[2].glyphs.dataset_id = "c";
+    request.scene.layers[2].glyphs().dataset_id = "c";
     request.camera = cameraAround(image, {1, -2, 1}, true);
     request.quality.samples = 2;
     holdBoxesAgainstTracing(request);
@@ -196,7 +196,7 @@ TEST_F(Raster, GridsConvergeAndNormalsCanBeThoseOfTheTriangles) {
     const model::ShImage image = randomField({4, true}, {2, 2, 2}, 22, obliqueAffine());
     store.add("field", image);
     model::FrameRequest request = requestOf("field", 160, 120, 2);
-    request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
     request.camera = cameraAround(image, {1, 1.5, 2}, true);
     const model::Frame traced = draw(request);
     request.quality.intersection = model::Intersection::kTessellated;

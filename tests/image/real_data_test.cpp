@@ -16,10 +16,10 @@ protected:
     void holdEqual(const std::string& a, const std::string& b) {
         for (const glm::dvec3& towards : {glm::dvec3(0, 0, -1), glm::dvec3(1, -2, 1)}) {
             model::FrameRequest request = requestOf(a, 200, 150, 1);
-            request.scene.layers[0].glyphs.scale = {};
+            request.scene.layers[0].glyphs().scale = {};
             request.camera = cameraAround(store.glyphs(a)->image(), towards, towards.x > 0);
             const model::Frame first = draw(request);
-            request.scene.layers[0].glyphs.dataset_id = b;
+            request.scene.layers[0].glyphs().dataset_id = b;
             const model::Frame second = draw(request);
             int other = 0, worst = 0, silhouettes = 0;
             for (std::size_t at = 0; at < first.pixels.rgba.size(); ++at) {
@@ -40,10 +40,10 @@ protected:
     /// Equal ids and depths by every traversal and with the table, on an axial slice as people first see it.
     void holdSlice(const std::string& id, std::uint64_t glyphs, std::uint64_t hits) {
         model::FrameRequest request = requestOf(id, 320, 240, 1);
-        request.scene.layers[0].glyphs.scale = {};
-        request.scene.layers[0].glyphs.selection.region = model::Region::kSlice;
+        request.scene.layers[0].glyphs().scale = {};
+        request.scene.layers[0].glyphs().selection.region = model::Region::kSlice;
         request.camera =
-            renderer.fitCamera(id, request.scene.layers[0].glyphs.selection, model::Convention::kRadiological, 4.0 / 3);
+            renderer.fitCamera(id, request.scene.layers[0].glyphs().selection, model::Convention::kRadiological, 4.0 / 3);
         model::Frame first;
         for (const model::Traversal traversal :
              {model::Traversal::kTiles, model::Traversal::kBvh, model::Traversal::kRayQuery}) {

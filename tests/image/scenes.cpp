@@ -85,8 +85,8 @@ model::FrameRequest requestOf(const std::string& dataset, int width, int height,
     request.height = height;
     request.quality.samples = 1;
     request.scene.layers.emplace_back();
-    request.scene.layers[0].glyphs.dataset_id = dataset;
-    request.scene.layers[0].glyphs.scale = {model::ScaleMode::kAbsolute, mm_per_amplitude};
+    request.scene.layers[0].glyphs().dataset_id = dataset;
+    request.scene.layers[0].glyphs().scale = {model::ScaleMode::kAbsolute, mm_per_amplitude};
     return request;
 }
 

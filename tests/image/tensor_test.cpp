@@ -39,8 +39,8 @@ protected:
 
     static model::FrameRequest brickRequest(const model::ShImage& image) {
         model::FrameRequest request = requestOf("brick", 160, 120, 0.05F);
-        request.scene.layers[0].glyphs.scale = {model::ScaleMode::kGlobal, 1};
-        request.scene.layers[0].glyphs.tensor = model::TensorShape::kReynolds;
+        request.scene.layers[0].glyphs().scale = {model::ScaleMode::kGlobal, 1};
+        request.scene.layers[0].glyphs().tensor = model::TensorShape::kReynolds;
         request.camera = cameraAround(image, {0.4, -1, 0.6}, true);
         request.quality.samples = 1;
         return request;
@@ -102,8 +102,8 @@ TEST_F(TensorPictures, EllipsoidsAreExact) {
     const model::ShImage image = order2();
     store.add("tensors", image);
     model::FrameRequest request = requestOf("tensors", 200, 80, 1);
-    request.scene.layers[0].glyphs.tensor = model::TensorShape::kEllipsoid;
-    request.scene.layers[0].glyphs.scale = {model::ScaleMode::kAbsolute, 0.9F};
+    request.scene.layers[0].glyphs().tensor = model::TensorShape::kEllipsoid;
+    request.scene.layers[0].glyphs().scale = {model::ScaleMode::kAbsolute, 0.9F};
     request.camera = cameraAround(image, {0.3, -1, 0.5}, true);
     request.quality.samples = 1;
     for (const model::Traversal traversal : {model::Traversal::kTiles, model::Traversal::kBvh, model::Traversal::kRayQuery}) {
@@ -129,8 +129,8 @@ TEST_F(TensorPictures, EllipsoidsAreExact) {
     }
     // The Reynolds glyph touches its ellipsoid at the ends of the axes and lies outside of it elsewhere.
     const model::Frame ellipsoids = draw(request);
-    request.scene.layers[0].glyphs.tensor = model::TensorShape::kReynolds;
-    request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    request.scene.layers[0].glyphs().tensor = model::TensorShape::kReynolds;
+    request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
     EXPECT_GT(draw(request).info.hit_pixels, ellipsoids.info.hit_pixels);
 }
 
@@ -149,16 +149,16 @@ TEST_F(TensorPictures, AreRefusedWhereTheyDoNotFitTheData) {
         }
         request = brickRequest(brick);
     };
-    request.scene.layers[0].glyphs.tensor = model::TensorShape::kEllipsoid;
+    request.scene.layers[0].glyphs().tensor = model::TensorShape::kEllipsoid;
     refused(Code::kInvalidArgument, "only order 2 has ellipsoids");
-    request.scene.layers[0].glyphs.dataset_id = "bands";
+    request.scene.layers[0].glyphs().dataset_id = "bands";
     refused(Code::kInvalidArgument, "holds spherical harmonics; draw it as a layer of glyphs");
-    request.scene.layers[0].glyphs.dataset_id = "bands";
-    request.scene.layers[0].glyphs.tensor.reset();
+    request.scene.layers[0].glyphs().dataset_id = "bands";
+    request.scene.layers[0].glyphs().tensor.reset();
     request.quality.intersection = Intersection::kTensorAffine;
     refused(Code::kUnsupported, "tensor-affine draws Cartesian tensors, but dataset 'bands'");
     request.quality.intersection = Intersection::kTensorMarch;
-    request.scene.layers[0].glyphs.lmax = 2;
+    request.scene.layers[0].glyphs().lmax = 2;
     refused(Code::kInvalidArgument, "draws whole tensors, here of order 4");
     for (const float step : {0.0F, -1.0F, 0.6F, std::numeric_limits<float>::quiet_NaN()}) {
         request.quality.tensor_march.step = step;

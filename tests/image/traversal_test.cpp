@@ -61,11 +61,11 @@ TEST_F(Traversals, AgreeOnAnAxialSlice) {
     const model::ShImage image = phantomImage(24, 8);
     store.add("brain", image);
     model::FrameRequest request = requestOf("brain", 200, 150, 1);
-    model::VoxelSelection& selection = request.scene.layers[0].glyphs.selection;
+    model::VoxelSelection& selection = request.scene.layers[0].glyphs().selection;
     selection.region = model::Region::kSlice;
     const double voxel = glm::length(glm::dvec3(image.voxel_to_world[0]));
     const float mm = static_cast<float>(0.5 * voxel / store.info("brain").amplitude_typical);
-    request.scene.layers[0].glyphs.scale.factor = mm;
+    request.scene.layers[0].glyphs().scale.factor = mm;
     request.camera = renderer.fitCamera("brain", selection, model::Convention::kRadiological, 4.0 / 3);
     holdAgreement(request, largestRadius("brain") * mm);
 }

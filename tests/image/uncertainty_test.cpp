@@ -49,7 +49,7 @@ protected:
         uncertainty.dataset_id = "outer";
         uncertainty.extinction_per_mm = kExtinction;
         uncertainty.emission = kEmission;
-        request.scene.layers[0].glyphs.uncertainty = uncertainty;
+        request.scene.layers[0].glyphs().uncertainty = uncertainty;
         return request;
     }
 
@@ -70,8 +70,8 @@ protected:
             functions.emplace_back(outer.layout, std::span(outer.coefficients).subspan(v * stride, stride));
         }
         const glm::dvec3 forward = model::cameraFrame(request.camera).forward;
-        const double scale = static_cast<double>(request.scene.layers[0].glyphs.scale.factor);
-        const bool both = request.scene.layers[0].glyphs.negative_lobes == model::NegativeLobes::kShown;
+        const double scale = static_cast<double>(request.scene.layers[0].glyphs().scale.factor);
+        const bool both = request.scene.layers[0].glyphs().negative_lobes == model::NegativeLobes::kShown;
         Check check;
         for (int y = 1; y < request.height; y += 3) {
             for (int x = 1; x < request.width; x += 3) {
@@ -125,7 +125,7 @@ TEST_F(UncertaintyPicture, IsTheMediumUpToTheFirstOpaqueHit) {
     addField({4, false}, {3, 3, 2});
     for (const bool both : {false, true}) {
         model::FrameRequest request = plainRequest(0.75F);
-        if (both) request.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+        if (both) request.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
         const Check check = compare(request);
         EXPECT_LE(check.worst, kBound);
         EXPECT_GT(check.with_medium, 150);
@@ -202,7 +202,7 @@ TEST_F(UncertaintyPicture, FromDeviationsIsThatOfTheOuterGlyphs) {
     store.add("made", outerGlyphs(mean, allSlots(mean), deviations, 1.5, 4));
     store.add("deviations", deviations);
     model::FrameRequest request = uncertain(plainRequest(0.8F));
-    model::Uncertainty& uncertainty = *request.scene.layers[0].glyphs.uncertainty;
+    model::Uncertainty& uncertainty = *request.scene.layers[0].glyphs().uncertainty;
     uncertainty.dataset_id = "made";
     const model::Frame made = draw(request);
     uncertainty.dataset_id = "deviations";
@@ -216,11 +216,11 @@ TEST_F(UncertaintyPicture, FromDeviationsIsThatOfTheOuterGlyphs) {
 TEST_F(UncertaintyPicture, FillsInTheExtinctionAndReplaysToTheSameBytes) {
     addField({4, false}, {3, 2, 2});
     model::FrameRequest request = uncertain(plainRequest(0.8F));
-    request.scene.layers[0].glyphs.uncertainty->extinction_per_mm.reset();
+    request.scene.layers[0].glyphs().uncertainty->extinction_per_mm.reset();
     const model::Frame first = draw(request);
-    ASSERT_TRUE(first.info.request.scene.layers[0].glyphs.uncertainty->extinction_per_mm);
+    ASSERT_TRUE(first.info.request.scene.layers[0].glyphs().uncertainty->extinction_per_mm);
     // The shortest voxel edge of the oblique grid is 1 mm.
-    EXPECT_NEAR(*first.info.request.scene.layers[0].glyphs.uncertainty->extinction_per_mm, 4, 1e-5);
+    EXPECT_NEAR(*first.info.request.scene.layers[0].glyphs().uncertainty->extinction_per_mm, 4, 1e-5);
     EXPECT_EQ(draw(first.info.request).pixels.rgba, first.pixels.rgba);
 }
 
@@ -228,7 +228,7 @@ TEST_F(UncertaintyPicture, MixesSeveralLayers) {
     addField({2, false}, {2, 2, 1});
     // The same medium twice is the medium of twice the extinction.
     model::FrameRequest once = uncertain(plainRequest(0.8F)), twice = once;
-    once.scene.layers[0].glyphs.uncertainty->extinction_per_mm = 2 * kExtinction;
+    once.scene.layers[0].glyphs().uncertainty->extinction_per_mm = 2 * kExtinction;
     twice.scene.layers.push_back(twice.scene.layers[0]);
     const model::Frame a = draw(once), b = draw(twice);
     int worst = 0;
@@ -283,7 +283,7 @@ TEST_F(UncertaintyPicture, RefusesImagesThatDoNotFitAndNumbersOutOfRange) {
     store.add("moved", randomField({2, false}, {2, 2, 1}, 3, glm::dmat4(1.0)));
     const auto refusal = [&](const std::function<void(model::Uncertainty&)>& change) {
         model::FrameRequest request = uncertain(plainRequest(0.8F));
-        change(*request.scene.layers[0].glyphs.uncertainty);
+        change(*request.scene.layers[0].glyphs().uncertainty);
         return codeOf([&] { draw(request); });
     };
     EXPECT_EQ(refusal([](auto& u) { u.dataset_id = "smaller"; }), Code::kInvalidArgument);
@@ -298,7 +298,7 @@ TEST_F(UncertaintyPicture, RefusesImagesThatDoNotFitAndNumbersOutOfRange) {
     EXPECT_EQ(refusal([](auto& u) { u.emission.y = 1.1F; }), Code::kInvalidArgument);
     model::FrameRequest request = plainRequest(0.8F);
     for (const float bad : {-0.1F, 11.0F, std::numeric_limits<float>::quiet_NaN()}) {
-        request.scene.layers[0].glyphs.isotropic_part = bad;
+        request.scene.layers[0].glyphs().isotropic_part = bad;
         EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
     }
 }
@@ -309,10 +309,10 @@ TEST_F(UncertaintyPicture, IsotropicPartIsThatOfAnImageWithIt) {
     store.add("rounder", withIsotropicPart(mean, allSlots(mean), 0.25 * typical));
     model::FrameRequest request = plainRequest(0.5F);
     const model::Frame plain = draw(request);
-    request.scene.layers[0].glyphs.isotropic_part = 0.25F;
+    request.scene.layers[0].glyphs().isotropic_part = 0.25F;
     const model::Frame added = draw(request);
-    request.scene.layers[0].glyphs.isotropic_part = 0;
-    request.scene.layers[0].glyphs.dataset_id = "rounder";
+    request.scene.layers[0].glyphs().isotropic_part = 0;
+    request.scene.layers[0].glyphs().dataset_id = "rounder";
     const model::Frame made = draw(request);
     EXPECT_EQ(added.pixels.rgba, made.pixels.rgba);
     EXPECT_EQ(added.pixels.id, made.pixels.id);

@@ -79,7 +79,8 @@ TEST_F(Visibility, HardShadowsAmongRandomGlyphsAreThoseOfTheTwin) {
             placed.push_back({&functions[i], voxelCentre(image, image.voxels[i]), 1.6F});
         }
         for (const bool both : {false, true}) {
-            request.scene.layers[0].glyphs.negative_lobes = both ? model::NegativeLobes::kShown : model::NegativeLobes::kHidden;
+            request.scene.layers[0].glyphs().negative_lobes =
+                both ? model::NegativeLobes::kShown : model::NegativeLobes::kHidden;
             request.quality.sun_table = model::PoleTable::kOff;
             const model::Frame frame = draw(request);
             int sure = 0, dark = 0, wrong = 0;
@@ -293,7 +294,7 @@ TEST_F(Visibility, OnlyLayersThatCastStandInTheLight) {
     // The big ball in one layer, the small one in another.
     request.scene.layers.push_back(request.scene.layers[0]);
     for (int i = 0; i < 2; ++i) {
-        model::VoxelSelection& selection = request.scene.layers[static_cast<std::size_t>(i)].glyphs.selection;
+        model::VoxelSelection& selection = request.scene.layers[static_cast<std::size_t>(i)].glyphs().selection;
         selection.region = model::Region::kSlab;
         selection.thickness_mm = 1;
         selection.position_mm = glm::dvec3(0, 0, i * kUp);
@@ -336,9 +337,9 @@ TEST_F(ValidatedVisibility, IsEveryKindOfRay) {
     }
     // A second layer without glyphs.
     request.scene.layers.push_back(request.scene.layers[0]);
-    request.scene.layers[1].glyphs.selection.region = model::Region::kSlab;
-    request.scene.layers[1].glyphs.selection.thickness_mm = 1;
-    request.scene.layers[1].glyphs.selection.position_mm = glm::dvec3(1e5, 0, 0);
+    request.scene.layers[1].glyphs().selection.region = model::Region::kSlab;
+    request.scene.layers[1].glyphs().selection.thickness_mm = 1;
+    request.scene.layers[1].glyphs().selection.position_mm = glm::dvec3(1e5, 0, 0);
     renderer.renderAll(request);
     for (const std::string& message : device.takeValidationMessages()) ADD_FAILURE() << message;
 }

@@ -13,19 +13,21 @@ namespace {
 constexpr std::size_t kTileEntriesMax = 24'000'000;
 
 shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::size_t layer) {
-    GlyphScene& scene = *list.layers[layer];
     const model::Layer& wanted = list.plan->resolved.scene.layers[layer];
-    const model::GlyphColour& colour = wanted.glyphs.colour;
     shader::LayerLook look{};
-    look.instances = scene.instanceBuffer().address();
+    look.kind = static_cast<std::uint32_t>(wanted.content.index());
     look.opacity = wanted.opacity;
+    if (!list.layers[layer].glyphs) return look;
+    GlyphScene& scene = *list.layers[layer].glyphs;
+    const model::GlyphColour& colour = wanted.glyphs().colour;
+    look.instances = scene.instanceBuffer().address();
     look.colour = static_cast<std::uint32_t>(colour.mode);
     look.uniform_colour = colour.uniform;
     if (!colour.usesMap()) return look;
     look.map = colours.address(colour.map);
     look.range_low = colour.range->low;
     look.range_high = colour.range->high;
-    if (colour.mode == model::ColourMode::kScalar) look.values = scene.values(list.scalars[layer]).address();
+    if (colour.mode == model::ColourMode::kScalar) look.values = scene.values(list.layers[layer].scalars).address();
     return look;
 }
 
@@ -87,14 +89,15 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
     frame.background = request.scene.background;
     frame.layer_count = static_cast<std::uint32_t>(list.layers.size());
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
-        GlyphScene& scene = *list.layers[i];
+        target.look(i) = layerLook(colours, list, i);
+        if (!list.layers[i].glyphs) continue;
+        GlyphScene& scene = *list.layers[i].glyphs;
         const plan::GlyphPlan& glyphs = list.plan->glyphs[i];
         std::optional<model::Traversal> traversal = request.quality.traversal;
         if (plan::isRasterised(request.quality)) traversal.reset();
         shader::GlyphLayerParams params = glyphParameters(device, target, target.layers[i], scene, glyphs, traversal, frame);
         params.layer = static_cast<std::uint32_t>(i);
         target.layer(i) = params;
-        target.look(i) = layerLook(colours, list, i);
     }
 }
 

@@ -30,7 +30,7 @@ void runGlyphTrace(PassRun& run, const plan::PassPlan& pass, bool boxes_only, Ba
     const plan::GlyphPlan& glyphs = run.list.plan->glyphs[layer];
     const model::Quality& quality = run.list.plan->resolved.quality;
     const bool tiles = quality.traversal == model::Traversal::kTiles;
-    GlyphScene& scene = *run.list.layers[layer];
+    GlyphScene& scene = *run.list.layers[layer].glyphs;
     const bool empty = scene.instances().empty();
     // A ray query needs a structure, which an empty layer has not: its rays walk the empty hierarchy instead.
     std::string shader = pass.shader;
@@ -45,7 +45,7 @@ void runGlyphTrace(PassRun& run, const plan::PassPlan& pass, bool boxes_only, Ba
                                             glyphs.pole_table && !empty ? 1U : 0U,
                                             glyphs.both_lobes ? 1U : 0U,
                                             glyphs.used,
-                                            layer == 0 ? 1U : 0U,
+                                            pass.first ? 1U : 0U,
                                             boxes_only ? 1U : 0U,
                                             kTileShiftX,
                                             kTileShiftY};

@@ -37,7 +37,7 @@ void writeHit(const model::Outputs& wanted, const DrawList& list, const shader::
     const std::uint32_t layer = surface.layer_and_steps >> 24U;
     if (wanted.depth) pixels.depth[at] = static_cast<float>(surface.depth / ray.stretch);
     if (wanted.id) {
-        const GlyphScene& scene = *list.layers[layer];
+        const GlyphScene& scene = *list.layers[layer].glyphs;
         const glm::ivec3 voxel = scene.dataset().image().voxels[scene.instances()[surface.who].slot];
         pixels.id[4 * at] = static_cast<std::int32_t>(layer);
         for (int c = 0; c < 3; ++c) pixels.id[4 * at + 1 + c] = voxel[c];

@@ -16,11 +16,17 @@
 
 namespace radiata::render {
 
-/// What is drawn: one glyph scene per layer of the plan, all with the same centre.
+/// One layer as it stands on the device; of the scenes, that of the layer's kind is set.
+struct DrawnLayer {
+    GlyphScene* glyphs = nullptr;
+    std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
+    plan::SceneBounds bounds;                             ///< world
+};
+
+/// What is drawn: one entry per layer of the plan, all with the same centre.
 struct DrawList {
     const plan::FramePlan* plan = nullptr;
-    std::vector<GlyphScene*> layers;
-    std::vector<std::shared_ptr<const store::ScalarDataset>> scalars;  ///< of the layers coloured so; others have none
+    std::vector<DrawnLayer> layers;
     plan::RebasedCamera camera;
     glm::vec2 pixel_offset{0};  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};

@@ -23,7 +23,7 @@ glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface) {
 model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface) {
     model::PickedGlyph glyph;
     const std::size_t layer = surface.layer_and_steps >> 24U;
-    const GlyphScene& scene = *list.layers[layer];
+    const GlyphScene& scene = *list.layers[layer].glyphs;
     const model::ShImage& image = scene.dataset().image();
     const shader::GlyphInstance& instance = scene.instances()[surface.who];
     glyph.layer = static_cast<int>(layer);
@@ -31,7 +31,7 @@ model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface
     glyph.voxel = image.voxels[instance.slot];
     glyph.centre_mm = glm::dvec3(image.voxel_to_world * glm::dvec4(glm::dvec3(glyph.voxel), 1.0));
     // Both kinds of layout order bands alike, so the drawn bands are a prefix.
-    const int lmax = list.plan->resolved.scene.layers[layer].glyphs.lmax.value_or(image.layout.lmax);
+    const int lmax = list.plan->resolved.scene.layers[layer].glyphs().lmax.value_or(image.layout.lmax);
     glyph.layout = {image.layout.full ? lmax : lmax - lmax % 2, image.layout.full};
     const auto first = image.coefficients.begin() + static_cast<std::ptrdiff_t>(instance.slot * image.layout.count());
     glyph.coefficients.assign(first, first + static_cast<std::ptrdiff_t>(glyph.layout.count()));
@@ -62,7 +62,9 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     pixel.quality.traversal = abilities.bvh ? model::Traversal::kBvh : model::Traversal::kRayQuery;
     pixel.quality.pole_table = model::PoleTable::kOff;
     pixel.scene.light = {};
-    for (model::Layer& layer : pixel.scene.layers) layer.glyphs.colour = {};
+    for (model::Layer& layer : pixel.scene.layers) {
+        if (layer.ifGlyphs()) layer.glyphs().colour = {};
+    }
     return pixel;
 }
 

@@ -48,7 +48,9 @@ void RasterBuffers::prepare(gpu::Device& device, const Target::Impl& target, con
         prepareMesh(device, quality.tessellation);
     }
     layers.resize(list.layers.size());
-    for (std::size_t i = 0; i < layers.size(); ++i) prepareLayer(device, target, list, i);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (list.layers[i].glyphs) prepareLayer(device, target, list, i);
+    }
 }
 
 void RasterBuffers::prepareMesh(gpu::Device& device, const model::Tessellation& tessellation) {
@@ -63,7 +65,7 @@ void RasterBuffers::prepareMesh(gpu::Device& device, const model::Tessellation& 
 
 void RasterBuffers::prepareLayer(gpu::Device& device, const Target::Impl& target, const DrawList& list, std::size_t index) {
     RasterLayer& layer = layers[index];
-    layer.visible = visibleGlyphs(list.layers[index]->instances(), list.camera.rays, target.width, target.height);
+    layer.visible = visibleGlyphs(list.layers[index].glyphs->instances(), list.camera.rays, target.width, target.height);
     fillBuffer(device, layer.list, std::span<const std::uint32_t>(layer.visible.order), "glyphs to draw");
     if (!mesh) {
         layer.vertices = gpu::Buffer();

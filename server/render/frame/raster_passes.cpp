@@ -86,7 +86,7 @@ void runGlyphBoxes(PassRun& run, const plan::PassPlan& pass, bool boxes_only, Dr
     const gpu::GraphicsPipeline& pipeline =
         run.pipelines.getGraphics("glyph_boxes_vert", pass.shader,
                                   {PassRun::kGroup, 0U, glyphs.pole_table ? 1U : 0U, glyphs.both_lobes ? 1U : 0U, glyphs.used,
-                                   layer == 0 ? 1U : 0U, boxes_only ? 1U : 0U},
+                                   pass.first ? 1U : 0U, boxes_only ? 1U : 0U},
                                   gpu::Faces::kBack);
     const BoxesPush push{run.frameAddress(),       run.layerAddress(layer),      raster.view.address(),
                          own.list.address(),       run.target.surface.address(), run.counterAddress(),
@@ -111,7 +111,7 @@ void runGlyphMesh(PassRun& run, const plan::PassPlan& pass, DrawSize& size) {
         run.pipelines.get(tessellate.shader, {PassRun::kGroup, 0U, 0U, glyphs.both_lobes ? 1U : 0U, glyphs.used});
     const bool triangle_normals = run.list.plan->resolved.quality.tessellation.normals == model::MeshNormals::kTriangle;
     const gpu::GraphicsPipeline& pipeline = run.pipelines.getGraphics(
-        "glyph_mesh_vert", pass.shader, {0U, layer == 0 ? 1U : 0U, triangle_normals ? 1U : 0U}, gpu::Faces::kAll);
+        "glyph_mesh_vert", pass.shader, {0U, pass.first ? 1U : 0U, triangle_normals ? 1U : 0U}, gpu::Faces::kAll);
     const std::uint64_t glyph_bytes = std::uint64_t{raster.vertex_count} * sizeof(shader::MeshVertex);
     // Rows of workgroups are limited too: every device takes 65,535.
     const auto count_max = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(kVertexBytes / glyph_bytes, 1, 65'535));
@@ -135,7 +135,7 @@ void runRasterSurface(PassRun& run, const plan::PassPlan& pass) {
     const bool boxes = static_cast<bool>(raster.steps);
     run.recorder.copy(raster.images, raster.words, raster.depth);
     run.recorder.dispatch(
-        run.pipelines.get(pass.shader, {PassRun::kGroup, pass.layer == 0 ? 1U : 0U, boxes ? 1U : 0U}), pass.name,
+        run.pipelines.get(pass.shader, {PassRun::kGroup, pass.first ? 1U : 0U, boxes ? 1U : 0U}), pass.name,
         PassRun::groups(run.pixels()), 1, 1,
         SurfacePush{run.target.surface.address(), run.counterAddress(), raster.words.address(), raster.depth.address(),
                     raster.steps.address(), static_cast<std::uint32_t>(run.pixels()), static_cast<std::uint32_t>(pass.layer)});

@@ -29,11 +29,11 @@ glm::dvec3 lightDirection(const model::Light& light, const model::CameraFrame& a
     return glm::normalize(d.x * axes.right + d.y * axes.up - d.z * axes.forward);
 }
 
-plan::SceneBounds unite(const std::vector<GlyphScene*>& layers) {
-    plan::SceneBounds all = layers.front()->bounds();
-    for (const GlyphScene* layer : layers) {
-        all.minimum = glm::min(all.minimum, layer->bounds().minimum);
-        all.maximum = glm::max(all.maximum, layer->bounds().maximum);
+plan::SceneBounds unite(const std::vector<DrawnLayer>& layers) {
+    plan::SceneBounds all = layers.front().bounds;
+    for (const DrawnLayer& layer : layers) {
+        all.minimum = glm::min(all.minimum, layer.bounds.minimum);
+        all.maximum = glm::max(all.maximum, layer.bounds.maximum);
     }
     return all;
 }
@@ -91,15 +91,41 @@ struct Renderer::Impl {
         return *scenes.front();
     }
 
+    /// Of the dataset that a layer names, mm; all positions on the device are relative to that of the first layer.
+    glm::dvec3 centreOf(const model::Layer& layer) { return datasetCentre(store.glyphs(layer.datasetId())->image()); }
+
+    /// The layer on the device, from scratch or from what is kept.
+    DrawnLayer drawn(const model::Layer& layer, const model::Quality& quality, const glm::dvec3& centre) {
+        DrawnLayer result;
+        if (const model::GlyphLayer* glyphs = layer.ifGlyphs()) {
+            // The band limit is checked by the plan; a scene of it can only be built within the data's bands.
+            result.glyphs = &scene(*glyphs, centre, quality.glyph_boxes);
+            result.bounds = result.glyphs->bounds();
+            if (glyphs->colour.mode == model::ColourMode::kScalar) result.scalars = store.scalars(glyphs->colour.image_id);
+        }
+        return result;
+    }
+
+    /// What the plan has to know about a layer.
+    plan::LayerFacts factsOf(const DrawnLayer& layer, const model::FrameRequest& request, const DrawList& list) const {
+        if (!layer.glyphs) return {};
+        plan::LayerFacts facts = layer.glyphs->facts(list.camera, request.width, request.height);
+        if (layer.scalars) {
+            facts.value_min = layer.scalars->info().value_min;
+            facts.value_max = layer.scalars->info().value_max;
+        }
+        if (request.scene.light.shadow == model::Shadow::kHard) {
+            facts.sun_depth = layer.glyphs->depthAlong(list.light_direction_world);
+        }
+        return facts;
+    }
+
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
-        const glm::dvec3 centre = datasetCentre(store.glyphs(request.scene.layers[0].glyphs.dataset_id)->image());
+        const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
-            // The band limit is checked by the plan; a scene of it can only be built within the data's bands.
-            list.layers.push_back(&scene(layer.glyphs, centre, request.quality.glyph_boxes));
-            const model::GlyphColour& colour = layer.glyphs.colour;
-            list.scalars.push_back(colour.mode == model::ColourMode::kScalar ? store.scalars(colour.image_id) : nullptr);
+            list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
         plan::SceneBounds bounds = unite(list.layers);
@@ -108,15 +134,8 @@ struct Renderer::Impl {
         list.camera = plan::rebaseCamera(request.camera, bounds, request.height);
         list.light_direction_world = lightDirection(request.scene.light, model::cameraFrame(request.camera));
         std::vector<plan::LayerFacts> facts;
-        for (std::size_t i = 0; i < list.layers.size(); ++i) {
-            facts.push_back(list.layers[i]->facts(list.camera, request.width, request.height));
-            if (list.scalars[i]) {
-                facts[i].value_min = list.scalars[i]->info().value_min;
-                facts[i].value_max = list.scalars[i]->info().value_max;
-            }
-            if (request.scene.light.shadow == model::Shadow::kHard) {
-                facts.back().sun_depth = list.layers[i]->depthAlong(list.light_direction_world);
-            }
+        for (const DrawnLayer& layer : list.layers) {
+            facts.push_back(factsOf(layer, request, list));
             info.glyphs += facts.back().glyphs;
             info.glyphs_available += facts.back().glyphs_available;
         }

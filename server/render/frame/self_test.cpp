@@ -37,7 +37,7 @@ model::FrameRequest testRequest(model::Traversal traversal) {
     model::FrameRequest request;
     request.width = request.height = kSize;
     request.scene.layers.emplace_back();
-    request.scene.layers[0].glyphs.scale = {model::ScaleMode::kAbsolute, 1.0F};
+    request.scene.layers[0].glyphs().scale = {model::ScaleMode::kAbsolute, 1.0F};
     request.camera.eye_mm = {6, 5, 9};
     request.camera.target_mm = {1.5, 1, 0.5};
     request.camera.perspective = true;
@@ -99,15 +99,14 @@ bool pathWorks(gpu::Device& device, Drawer& drawer, const std::shared_ptr<const 
                model::Traversal traversal) {
     try {
         const model::FrameRequest request = testRequest(traversal);
-        GlyphScene scene(device, dataset, request.scene.layers[0].glyphs, {1.5, 1, 0.5});
+        GlyphScene scene(device, dataset, request.scene.layers[0].glyphs(), {1.5, 1, 0.5});
         DrawList list;
         list.camera = plan::rebaseCamera(request.camera, scene.bounds(), kSize);
         plan::Abilities all;
         all.ray_query = all.raster = true;
         const plan::FramePlan plan = plan::planFrame(request, {scene.facts(list.camera, kSize, kSize)}, all);
         list.plan = &plan;
-        list.layers = {&scene};
-        list.scalars = {nullptr};
+        list.layers = {{&scene, nullptr, scene.bounds()}};
         Target target;
         target.impl_->prepare(device, kSize, kSize, 1);
         drawer.drawSample(*target.impl_, list, 0, nullptr);

@@ -23,11 +23,13 @@ SunTiles sunTiles(const DrawList& list) {
     const glm::dvec3 right = glm::normalize(glm::cross(light, other)), up = glm::cross(right, light);
     // The largest distance of any glyph from the reference point, along both axes, and the mean size of boxes.
     double half_x = 0, half_y = 0, size = 0, count = 0;
-    for (const GlyphScene* layer : list.layers) {
-        const plan::SceneBounds& bounds = layer->bounds();
+    for (const DrawnLayer& drawn : list.layers) {
+        const plan::SceneBounds& bounds = drawn.bounds;
         const glm::dvec3 half = 0.5 * (bounds.maximum - bounds.minimum), middle = bounds.centre() - list.camera.reference_mm;
         half_x = std::max(half_x, std::abs(glm::dot(middle, right)) + glm::dot(half, glm::abs(right)));
         half_y = std::max(half_y, std::abs(glm::dot(middle, up)) + glm::dot(half, glm::abs(up)));
+        const GlyphScene* layer = drawn.glyphs;
+        if (!layer) continue;
         const std::size_t stride = std::max<std::size_t>(1, layer->instances().size() / 1024);
         for (std::size_t i = 0; i < layer->instances().size(); i += stride) {
             const glm::vec3 box = layer->instances()[i].box_max - layer->instances()[i].box_min;

@@ -47,9 +47,9 @@ void fillUncertaintyParameters(gpu::Device& device, Target::Impl& target, const 
     for (std::size_t i = 0; i < count; ++i) {
         const std::optional<plan::GlyphPlan>& glyphs = list.plan->uncertainty[i];
         if (!glyphs) continue;
-        const model::Uncertainty& settings = *list.plan->resolved.scene.layers[i].glyphs.uncertainty;
+        const model::Uncertainty& settings = *list.plan->resolved.scene.layers[i].glyphs().uncertainty;
         shader::UncertaintyParams params{};
-        params.glyphs = glyphParameters(device, target, buffers.layers[i], *list.layers[i]->uncertain(), *glyphs,
+        params.glyphs = glyphParameters(device, target, buffers.layers[i], *list.layers[i].glyphs->uncertain(), *glyphs,
                                         tiles ? model::Traversal::kTiles : model::Traversal::kBvh, target.frame());
         params.glyphs.layer = static_cast<std::uint32_t>(i);
         params.emission = settings.emission;

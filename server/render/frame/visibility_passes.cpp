@@ -46,7 +46,7 @@ void fillVisibilityParameters(gpu::Device& device, Target::Impl& target, const D
         const bool table = pass.kind == plan::PassKind::kSunTable;
         if (!shadow && !occlusion && !table) continue;
         const auto layer = static_cast<std::size_t>(pass.layer);
-        GlyphScene& scene = *list.layers[layer];
+        GlyphScene& scene = *list.layers[layer].glyphs;
         shader::GlyphLayerParams& params = target.layer(layer);
         if (shadow) ensureBytes(device, target.shadow_bits, bytes, gpu::Memory::kDevice, "shadow bits");
         if (occlusion) {

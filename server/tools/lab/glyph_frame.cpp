@@ -53,10 +53,10 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
     request.quality.samples = 1;
     request.scene.annotations.hidden = true;
     model::Layer layer;
-    layer.glyphs.dataset_id = "scene";
-    layer.glyphs.selection.region = model::Region::kVolume;
+    layer.glyphs().dataset_id = "scene";
+    layer.glyphs().selection.region = model::Region::kVolume;
     request.scene.layers = {layer};
-    request.camera = renderer.fitCamera("scene", layer.glyphs.selection, model::Convention::kRadiological,
+    request.camera = renderer.fitCamera("scene", layer.glyphs().selection, model::Convention::kRadiological,
                                         static_cast<double>(request.width) / request.height);
     report.view =
         std::to_string(request.width) + "x" + std::to_string(request.height) + ", axial, fitted, one sample per pixel";

@@ -55,7 +55,7 @@ double worstChannel(render::Renderer& renderer, const model::ShImage& image, mod
     model::Outputs outputs;
     outputs.id = outputs.position = true;
     const model::Frame frame = renderer.renderAll(request, outputs);
-    const model::GlyphColour& colour = frame.info.request.scene.layers[0].glyphs.colour;
+    const model::GlyphColour& colour = frame.info.request.scene.layers[0].glyphs().colour;
     double worst = 0;
     for (std::size_t at = 0; 4 * at < frame.pixels.id.size(); ++at) {
         if (frame.pixels.id[4 * at] < 0) continue;
@@ -93,7 +93,7 @@ Report hlawitschkaFig5(gpu::Device& device, const Options& options) {
     render::Renderer renderer(device, store);
     report.device = renderer.deviceName();
     model::FrameRequest request = requestOf("slice", width, height, true);
-    request.camera = renderer.fitCamera("slice", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological,
+    request.camera = renderer.fitCamera("slice", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological,
                                         static_cast<double>(width) / height);
     const std::pair<const char*, model::GlyphColour> codings[] = {
         {"direction", coding(model::ColourMode::kDirection)},
@@ -105,7 +105,7 @@ Report hlawitschkaFig5(gpu::Device& device, const Options& options) {
     std::vector<Candidate> candidates;
     for (const auto& [name, colour] : codings) {
         candidates.push_back({name, name, request});
-        candidates.back().request.scene.layers[0].glyphs.colour = colour;
+        candidates.back().request.scene.layers[0].glyphs().colour = colour;
     }
     const std::vector<Measured> measured = measure(renderer, candidates, report.repeats, {"light"});
     Table table{

@@ -27,7 +27,7 @@ struct Brick {
         : store(device, {}), renderer((store.add("brick", stiffnessGlyphs(kGlyphs)), device), store) {
         request = requestOf("brick", height * 4 / 3, height, true);
         request.camera =
-            renderer.fitCamera("brick", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological, 4.0 / 3);
+            renderer.fitCamera("brick", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological, 4.0 / 3);
     }
 };
 

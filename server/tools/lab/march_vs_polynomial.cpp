@@ -48,7 +48,7 @@ void compareFrame(render::Renderer& renderer, store::Store& store, const Options
     model::FrameRequest request = requestOf("image", 1280, 720, true);
     request.quality.traversal = model::Traversal::kAuto;
     request.camera =
-        renderer.fitCamera("image", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological, 1280.0 / 720);
+        renderer.fitCamera("image", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological, 1280.0 / 720);
     request.camera.height_mm = 8 * glm::length(glm::dvec3(info.voxel_to_world[0]));
     const std::string view = "whole frame, " + description;
     std::vector<Method> methods = glyphMethods(info.layout, {"march", "polynomial,"});

@@ -114,9 +114,9 @@ void addTimes(Report& report, gpu::Device& device, const Options& options) {
     render::Renderer renderer(device, store);
     model::FrameRequest request = requestOf("slice", kFrameHeight * 16 / 9, kFrameHeight, true);
     request.quality.traversal = model::Traversal::kAuto;
-    request.scene.layers[0].glyphs.lmax = 4;
+    request.scene.layers[0].glyphs().lmax = 4;
     request.camera =
-        renderer.fitCamera("slice", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological, 16.0 / 9);
+        renderer.fitCamera("slice", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological, 16.0 / 9);
     Table table{"time, " + description, {"k", "way", "us per glyph", "all glyphs, ms (extrapolated)", "paper"}, {}};
     for (const int k : {4, image.layout.lmax}) {
         const ShLayout layout{k, false};

@@ -40,10 +40,10 @@ Report petersFig1(gpu::Device& device, const Options& options) {
                   std::to_string(height * 16 / 9) + "x" + std::to_string(height) + " of the slice";
     const model::DatasetInfo info = store.info("slice");
     model::FrameRequest right = requestOf("slice", height * 16 / 9, height, true);
-    right.scene.layers[0].glyphs.lmax = 4;
+    right.scene.layers[0].glyphs().lmax = 4;
     right.quality.traversal = model::Traversal::kAuto;
     right.camera =
-        renderer.fitCamera("slice", right.scene.layers[0].glyphs.selection, model::Convention::kRadiological, 16.0 / 9);
+        renderer.fitCamera("slice", right.scene.layers[0].glyphs().selection, model::Convention::kRadiological, 16.0 / 9);
     // The glyph nearest to the middle of the slice.
     model::FrameRequest left = right;
     left.width = height;

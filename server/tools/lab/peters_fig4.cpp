@@ -92,7 +92,7 @@ Report petersFig4(gpu::Device& device, const Options& options) {
     report.scene = description + "; one glyph of three crossing lobes, band 8";
     model::FrameRequest request = requestOf("slice", height * 16 / 9, height, false);
     request.quality.traversal = model::Traversal::kAuto;
-    request.camera = renderer.fitCamera("slice", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological,
+    request.camera = renderer.fitCamera("slice", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological,
                                         static_cast<double>(request.width) / request.height);
     compareKinds(report, renderer, "slice", request, report.repeats, true);
     model::FrameRequest near = request;

@@ -28,7 +28,7 @@ View makeView(const std::string& name, const model::FrameRequest& request, model
     view.plain = request;
     view.plain.quality.pole_table = table;
     view.uncertain = view.plain;
-    view.uncertain.scene.layers[0].glyphs.uncertainty.emplace().dataset_id = "outer";
+    view.uncertain.scene.layers[0].glyphs().uncertainty.emplace().dataset_id = "outer";
     view.alone = {view.name + ": glyph passes, no uncertainty", "ms", {}};
     view.glyphs = {view.name + ": glyph passes", "ms", {}};
     view.second = {view.name + ": uncertainty passes", "ms", {}};
@@ -49,7 +49,7 @@ void runBand(gpu::Device& device, const Options& options, int k, Report& report)
     const int height = pictureHeight(device, options, kHeight, kReducedHeight), width = height * 16 / 9;
     model::FrameRequest request = requestOf("mean", width, height, true);
     request.quality.traversal = model::Traversal::kAuto;
-    request.camera = renderer.fitCamera("mean", request.scene.layers[0].glyphs.selection, model::Convention::kRadiological,
+    request.camera = renderer.fitCamera("mean", request.scene.layers[0].glyphs().selection, model::Convention::kRadiological,
                                         static_cast<double>(width) / height);
     model::FrameRequest close = request;
     close.camera.height_mm *= kCloseUp;

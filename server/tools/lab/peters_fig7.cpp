@@ -94,7 +94,7 @@ Report petersFig7(gpu::Device& device, const Options& options) {
     }
     for (int k = 2; k <= 16; k += 2) {
         model::FrameRequest request = filledRequest(store, "glyph", size);
-        request.scene.layers[0].glyphs.lmax = k;
+        request.scene.layers[0].glyphs().lmax = k;
         request.camera.height_mm =
             2 * static_cast<double>(store.glyphs("glyph")->bounds(std::vector<std::uint32_t>{0}, k, true)[0].radius);
         const std::vector<Method> methods =

@@ -76,16 +76,16 @@ model::FrameRequest requestOf(const std::string& dataset, int width, int height,
     request.quality.traversal = model::Traversal::kBvh;
     request.scene.annotations.hidden = true;
     model::Layer layer;
-    layer.glyphs.dataset_id = dataset;
-    layer.glyphs.selection.region = model::Region::kVolume;
-    layer.glyphs.negative_lobes = both_lobes ? model::NegativeLobes::kShown : model::NegativeLobes::kHidden;
+    layer.glyphs().dataset_id = dataset;
+    layer.glyphs().selection.region = model::Region::kVolume;
+    layer.glyphs().negative_lobes = both_lobes ? model::NegativeLobes::kShown : model::NegativeLobes::kHidden;
     request.scene.layers = {layer};
     return request;
 }
 
 model::FrameRequest filledRequest(store::Store& store, const std::string& dataset, int size, double zoom) {
     model::FrameRequest request = requestOf(dataset, size, size, true);
-    request.scene.layers[0].glyphs.scale = {model::ScaleMode::kAbsolute, 1.0F};
+    request.scene.layers[0].glyphs().scale = {model::ScaleMode::kAbsolute, 1.0F};
     const auto glyphs = store.glyphs(dataset);
     const std::vector<std::uint32_t> first{0};
     const double radius = static_cast<double>(glyphs->bounds(first, glyphs->image().layout.lmax, true)[0].radius);

@@ -28,16 +28,16 @@ double millimetresPerAmplitude(const model::GlyphScale& scale, const store::Glyp
 Truth::Truth(store::Store& store, const model::FrameRequest& request)
     : request_(request), forward_(model::cameraFrame(request.camera).forward) {
     for (const model::Layer& layer : request.scene.layers) {
-        const auto dataset = store.glyphs(layer.glyphs.dataset_id);
+        const auto dataset = store.glyphs(layer.glyphs().dataset_id);
         const model::ShImage& image = dataset->image();
-        int limit = std::min(layer.glyphs.lmax.value_or(image.layout.lmax), image.layout.lmax);
+        int limit = std::min(layer.glyphs().lmax.value_or(image.layout.lmax), image.layout.lmax);
         if (!image.layout.full) limit -= limit % 2;
         const ShLayout layout{limit, image.layout.full};
-        const bool both = layer.glyphs.negative_lobes == model::NegativeLobes::kShown;
-        const std::vector<std::uint32_t> slots = selectVoxels(image, layer.glyphs.selection);
+        const bool both = layer.glyphs().negative_lobes == model::NegativeLobes::kShown;
+        const std::vector<std::uint32_t> slots = selectVoxels(image, layer.glyphs().selection);
         const std::vector<GlyphBounds> bounds = dataset->bounds(slots, limit, both);
         for (std::size_t i = 0; i < slots.size(); ++i) {
-            const double scale = millimetresPerAmplitude(layer.glyphs.scale, *dataset, bounds[i].amplitude_max);
+            const double scale = millimetresPerAmplitude(layer.glyphs().scale, *dataset, bounds[i].amplitude_max);
             const double radius = scale * static_cast<double>(bounds[i].radius);
             if (!(radius > 0)) continue;
             const float* first = image.coefficients.data() + slots[i] * image.layout.count();

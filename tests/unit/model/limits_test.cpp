@@ -18,12 +18,12 @@ constexpr float kInfinity = std::numeric_limits<float>::infinity();
 FrameRequest sound() {
     FrameRequest request;
     Layer layer;
-    layer.glyphs.dataset_id = "brain";
+    layer.glyphs().dataset_id = "brain";
     request.scene.layers = {layer};
     return request;
 }
 
-GlyphLayer& glyphs(FrameRequest& request) { return request.scene.layers[0].glyphs; }
+GlyphLayer& glyphs(FrameRequest& request) { return request.scene.layers[0].glyphs(); }
 
 /// A change that makes a sound request unusable, and the field that the sentence must name.
 struct Case {
@@ -101,7 +101,7 @@ TEST(Limits, RefusesUnusableLayers) {
     expectRefused({"layers[0].glyphs.dataset_id", kInvalid, [](FrameRequest& r) { glyphs(r).dataset_id.clear(); }});
     expectRefused({"layers[1]", kInvalid, [](FrameRequest& r) {
                        r.scene.layers.push_back(r.scene.layers[0]);
-                       r.scene.layers[1].glyphs.lmax = -1;
+                       r.scene.layers[1].glyphs().lmax = -1;
                    }});
     expectRefused({"lmax", kInvalid, [](FrameRequest& r) { glyphs(r).lmax = 17; }});
     for (const float factor : {0.0F, -1.0F, 2e6F, kNan, kInfinity}) {

@@ -68,8 +68,8 @@ TEST(Annotations, ObliqueDirectionsGetASecondLetter) {
 
 TEST(Annotations, NamesSubsetAndLobes) {
     auto frame = request({0, 0, -100}, {0, 1, 0});
-    frame.scene.layers[0].glyphs.selection.region = model::Region::kSlice;
-    frame.scene.layers[0].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    frame.scene.layers[0].glyphs().selection.region = model::Region::kSlice;
+    frame.scene.layers[0].glyphs().negative_lobes = model::NegativeLobes::kShown;
     const auto marks = annotations(frame, model::FrameState::kConverged, 16, {7216, 90000});
     EXPECT_EQ(at(marks, 0, 0, 1), "negative lobes shown");
     EXPECT_EQ(at(marks, 0, 0, 2), "slice: 7216 of 90000 glyphs shown");
@@ -79,11 +79,11 @@ TEST(Annotations, EveryColourMapHasItsLegend) {
     model::FrameRequest frame = request({0, 0, -100}, {0, 1, 0});
     EXPECT_THAT(colourBars(frame), IsEmpty());
     frame.scene.layers.resize(4, frame.scene.layers[0]);
-    model::GlyphColour& radius = frame.scene.layers[1].glyphs.colour;
+    model::GlyphColour& radius = frame.scene.layers[1].glyphs().colour;
     radius.mode = model::ColourMode::kRadius;
     radius.range = model::ColourRange{0, 1.25F};
     frame.scene.layers[2] = frame.scene.layers[1];  // the same legend again
-    model::GlyphColour& scalar = frame.scene.layers[3].glyphs.colour;
+    model::GlyphColour& scalar = frame.scene.layers[3].glyphs().colour;
     scalar.mode = model::ColourMode::kScalar;
     scalar.map = ColourMap::kGrey;
     scalar.image_id = "fa";

@@ -25,7 +25,7 @@ Abilities able() {
 model::FrameRequest request(Intersection method) {
     model::FrameRequest frame;
     frame.scene.layers.resize(1);
-    frame.scene.layers[0].glyphs.dataset_id = "any";
+    frame.scene.layers[0].glyphs().dataset_id = "any";
     frame.quality.intersection = method;
     return frame;
 }

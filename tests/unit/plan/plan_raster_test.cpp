@@ -24,7 +24,7 @@ Abilities all() {
 model::FrameRequest request(std::size_t layers, model::Intersection method, model::Traversal traversal) {
     model::FrameRequest frame;
     frame.scene.layers.resize(layers);
-    for (model::Layer& layer : frame.scene.layers) layer.glyphs.dataset_id = "x";
+    for (model::Layer& layer : frame.scene.layers) layer.glyphs().dataset_id = "x";
     frame.quality.intersection = method;
     frame.quality.traversal = traversal;
     return frame;

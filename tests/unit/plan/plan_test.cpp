@@ -20,7 +20,7 @@ constexpr Abilities kAll{true, true, true, false};
 model::FrameRequest request(std::size_t layers = 1) {
     model::FrameRequest frame;
     frame.scene.layers.resize(layers);
-    for (model::Layer& layer : frame.scene.layers) layer.glyphs.dataset_id = "any";
+    for (model::Layer& layer : frame.scene.layers) layer.glyphs().dataset_id = "any";
     return frame;
 }
 
@@ -133,17 +133,17 @@ TEST(PlanBands, LimitIsCountedAndRounded) {
     };
     for (const Case& c : cases) {
         model::FrameRequest frame = request();
-        frame.scene.layers[0].glyphs.lmax = c.limit;
+        frame.scene.layers[0].glyphs().lmax = c.limit;
         const FramePlan plan = planFrame(frame, {facts(c.data, c.full)}, kAll);
         EXPECT_EQ(plan.glyphs.at(0).layout_name, c.layout) << c.data << " limited to " << c.limit.value_or(-1);
         EXPECT_EQ(plan.glyphs.at(0).used, c.used) << c.layout << " limited to " << c.limit.value_or(-1);
-        EXPECT_EQ(plan.resolved.scene.layers[0].glyphs.lmax, c.limit.value_or(c.data));
+        EXPECT_EQ(plan.resolved.scene.layers[0].glyphs().lmax, c.limit.value_or(c.data));
     }
 }
 
 TEST(PlanBands, LimitAboveTheDataIsRefused) {
     model::FrameRequest frame = request(2);
-    frame.scene.layers[1].glyphs.lmax = 9;
+    frame.scene.layers[1].glyphs().lmax = 9;
     const Error error = refusal(frame, {facts(), facts()});
     EXPECT_EQ(error.code(), Code::kInvalidArgument);
     EXPECT_STREQ(error.what(), "scene.layers[1].glyphs.lmax is 9; the dataset has bands up to 8");
@@ -159,7 +159,7 @@ TEST(PlanBands, PolynomialDrawsEvenBandsUpToTwelve) {
     const Error high = refusal(frame, {facts(16)});
     EXPECT_EQ(high.code(), Code::kUnsupported);
     EXPECT_THAT(high.what(), AllOf(HasSubstr("bands up to 16"), HasSubstr("set lmax")));
-    frame.scene.layers[0].glyphs.lmax = 13;
+    frame.scene.layers[0].glyphs().lmax = 13;
     EXPECT_EQ(planFrame(frame, {facts(16)}, kAll).glyphs.at(0).layout_name, "even12") << "band 13 is not there";
 }
 
@@ -253,10 +253,10 @@ TEST(PlanTensors, AreDrawnByTheirOwnModules) {
         layer.tensor_order = 2;
         model::FrameRequest frame = request();
         frame.quality.traversal = traversal;
-        frame.scene.layers[0].glyphs.tensor = model::TensorShape::kEllipsoid;
+        frame.scene.layers[0].glyphs().tensor = model::TensorShape::kEllipsoid;
         EXPECT_NO_THROW(shaders::module(modules(planFrame(frame, {layer}, kAll)).front()));
         // Through their bands where no tensor method was asked for.
-        frame.scene.layers[0].glyphs.tensor = model::TensorShape::kReynolds;
+        frame.scene.layers[0].glyphs().tensor = model::TensorShape::kReynolds;
         EXPECT_THAT(modules(planFrame(frame, {layer}, kAll)).back(), "resolve");
         EXPECT_THAT(planFrame(frame, {layer}, kAll).glyphs[0].layout_name, "even2");
     }
@@ -273,7 +273,7 @@ TEST(PlanFrame, ResolvedRequestPlansToItself) {
     for (const auto& layers : {std::vector{withRays(100), withRays(0.5)}, std::vector{withRays(0.5), withRays(100)},
                                std::vector{withRays(100, true), withRays(100)}, std::vector{withRays(1), withRays(1)}}) {
         model::FrameRequest frame = request(2);
-        frame.scene.layers[1].glyphs.negative_lobes = model::NegativeLobes::kShown;
+        frame.scene.layers[1].glyphs().negative_lobes = model::NegativeLobes::kShown;
         const FramePlan first = planFrame(frame, layers, kAll);
         const FramePlan again = planFrame(first.resolved, layers, kAll);
         EXPECT_EQ(again.resolved, first.resolved);
@@ -287,24 +287,24 @@ TEST(PlanColour, OpenRangesAreFilledInAndModesCompiledAreThoseInUse) {
     model::FrameRequest frame = request(3);
     std::vector<LayerFacts> layers(3, facts());
     EXPECT_EQ(planFrame(frame, layers, kAll).colour_modes, 1U);
-    model::GlyphColour& radius = frame.scene.layers[1].glyphs.colour;
+    model::GlyphColour& radius = frame.scene.layers[1].glyphs().colour;
     radius.mode = model::ColourMode::kRadius;
     layers[1].radius_typical_mm = 1.5;
-    model::GlyphColour& scalar = frame.scene.layers[2].glyphs.colour;
+    model::GlyphColour& scalar = frame.scene.layers[2].glyphs().colour;
     scalar.mode = model::ColourMode::kScalar;
     scalar.image_id = "fa";
     layers[2].value_min = -2;
     layers[2].value_max = 8;
     const FramePlan plan = planFrame(frame, layers, kAll);
     EXPECT_EQ(plan.colour_modes, 0b111U);
-    EXPECT_FALSE(plan.resolved.scene.layers[0].glyphs.colour.range);
-    EXPECT_EQ(plan.resolved.scene.layers[1].glyphs.colour.range, (model::ColourRange{0, 1.5F}));
-    EXPECT_EQ(plan.resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{-2, 8}));
+    EXPECT_FALSE(plan.resolved.scene.layers[0].glyphs().colour.range);
+    EXPECT_EQ(plan.resolved.scene.layers[1].glyphs().colour.range, (model::ColourRange{0, 1.5F}));
+    EXPECT_EQ(plan.resolved.scene.layers[2].glyphs().colour.range, (model::ColourRange{-2, 8}));
     EXPECT_EQ(planFrame(plan.resolved, layers, kAll).resolved, plan.resolved);
     layers[2].value_max = -2;  // one value only
-    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{-2, 0}));
+    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs().colour.range, (model::ColourRange{-2, 0}));
     scalar.range = model::ColourRange{0, 1};
-    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs.colour.range, (model::ColourRange{0, 1}));
+    EXPECT_EQ(planFrame(frame, layers, kAll).resolved.scene.layers[2].glyphs().colour.range, (model::ColourRange{0, 1}));
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ constexpr Abilities kAll{true, true, true, false};
 model::FrameRequest request(std::size_t layers = 1) {
     model::FrameRequest frame;
     frame.scene.layers.resize(layers);
-    for (model::Layer& layer : frame.scene.layers) layer.glyphs.dataset_id = "any";
+    for (model::Layer& layer : frame.scene.layers) layer.glyphs().dataset_id = "any";
     frame.quality.pole_table = model::PoleTable::kOff;
     return frame;
 }

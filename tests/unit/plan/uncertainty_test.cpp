@@ -29,7 +29,7 @@ struct Scene {
 
     Scene() {
         request.scene.layers.resize(2);
-        request.scene.layers[1].glyphs.uncertainty.emplace().dataset_id = "outer";
+        request.scene.layers[1].glyphs().uncertainty.emplace().dataset_id = "outer";
         layers[1].uncertainty = {facts(6)};
     }
     FramePlan plan(const Abilities& abilities = kAll) const { return planFrame(request, layers, abilities); }
@@ -52,8 +52,8 @@ TEST(PlanUncertainty, IsOnePassOfTheLayerThatAsks) {
     EXPECT_TRUE(plan.usesUncertainty());
     EXPECT_FALSE(plan.uncertainty[0]);
     EXPECT_EQ(plan.uncertainty[1]->used, 15U) << "bands above the layer's are left out";
-    EXPECT_FLOAT_EQ(*plan.resolved.scene.layers[1].glyphs.uncertainty->extinction_per_mm, 2);
-    scene.request.scene.layers[1].glyphs.uncertainty.reset();
+    EXPECT_FLOAT_EQ(*plan.resolved.scene.layers[1].glyphs().uncertainty->extinction_per_mm, 2);
+    scene.request.scene.layers[1].glyphs().uncertainty.reset();
     const FramePlan without = scene.plan();
     EXPECT_EQ(without.passes.size(), 4U);
     EXPECT_FALSE(without.usesUncertainty());
@@ -62,7 +62,7 @@ TEST(PlanUncertainty, IsOnePassOfTheLayerThatAsks) {
 TEST(PlanUncertainty, HasTablesWhereTheLayersHaveThemAndTheCameraIsFarFromItsGlyphs) {
     Scene scene;
     scene.request.quality.pole_table = model::PoleTable::kOn;
-    scene.request.scene.layers[1].glyphs.negative_lobes = model::NegativeLobes::kShown;
+    scene.request.scene.layers[1].glyphs().negative_lobes = model::NegativeLobes::kShown;
     const FramePlan plan = scene.plan();
     EXPECT_THAT(passes(plan), ::testing::Contains("uncertainty table 1 by glyph_table_even4"));
     EXPECT_TRUE(plan.uncertainty[1]->pole_table);

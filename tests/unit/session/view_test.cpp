@@ -15,7 +15,7 @@ const Clock::time_point kStart{};
 model::FrameRequest request() {
     model::FrameRequest frame;
     frame.scene.layers.emplace_back();
-    frame.scene.layers[0].glyphs.dataset_id = "stub";
+    frame.scene.layers[0].glyphs().dataset_id = "stub";
     return frame;
 }
 
