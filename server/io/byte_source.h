@@ -1,4 +1,4 @@
-// The bytes of an image file from front to back, plain or gzip-compressed, never more of them than the caller has room for.
+// The bytes of a file of data from front to back, plain or gzip-compressed, never more of them than the caller has room for.
 #pragma once
 
 #include <cstddef>
@@ -12,13 +12,22 @@
 
 namespace radiata::io {
 
+/// How a file's bytes are packed.
+enum class Packing {
+    kByName,  ///< gzip if the name ends in .gz, else not
+    kPlain,
+    kGzip,
+};
+
 /// Not thread-safe; one object per reader.
 class ByteSource {
 public:
     /// Opens a file; one whose name ends in .gz is decompressed. Only regular files: a pipe could block for ever.
     /// \throws Error(kNotFound) if there is no such regular file, (kCorrupt) if it is empty or a .gz file is not gzip,
     ///         (kUnavailable) if it cannot be opened
-    explicit ByteSource(const std::filesystem::path& path);
+    explicit ByteSource(const std::filesystem::path& path) : ByteSource(path, Packing::kByName, 0) {}
+    /// \param begin  bytes of the file itself before the content, which is byte 0 for all that follows
+    ByteSource(const std::filesystem::path& path, Packing packing, std::uint64_t begin);
 
     /// Reads up to out.size() bytes; fewer only at the end of the file.
     /// \throws Error(kCorrupt) naming the offset if the compressed stream is damaged, (kUnavailable) if reading fails
@@ -37,7 +46,12 @@ public:
     void finish();
 
     bool compressed() const { return compressed_ != nullptr; }
+    /// Of the file from the content's begin on.
     std::uint64_t fileBytes() const { return file_bytes_; }
+    /// Bytes of the file that were taken so far, compressed ones of a .gz file.
+    std::uint64_t fileBytesRead() const;
+    /// Offset of the next byte in the (decompressed) content.
+    std::uint64_t position() const { return position_; }
     /// For messages: the file's name without folders, because messages may travel to clients.
     std::string name() const { return path_.filename().string(); }
 
