@@ -195,7 +195,8 @@ std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->dataset) {
-        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) + "; glyphs need an SH image");
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; glyphs need an SH image");
     }
     return slot->dataset;
 }
@@ -205,7 +206,8 @@ std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->scalars) {
-        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) + "; colours are taken from a scalar volume");
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; colours are taken from a scalar volume");
     }
     return slot->scalars;
 }
@@ -215,7 +217,8 @@ std::shared_ptr<const model::FibletSet> Store::fiblets(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->fiblets) {
-        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) + "; fibres need a tractogram");
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; fibres need a tractogram");
     }
     return slot->fiblets;
 }

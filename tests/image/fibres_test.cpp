@@ -1,5 +1,5 @@
-// Fibres in pictures: who is seen in each pixel against the reference in double, what culling must not change, what the settings
-// of a layer do.
+// Fibres in pictures: who is seen in each pixel against the reference in double, what culling must not change, what the
+// settings of a layer do.
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -179,7 +179,8 @@ TEST_F(FibrePictures, ArePickedWhereTheyAreSeen) {
             const auto& fibre = std::get<model::PickedFibre>(*picked);
             ASSERT_EQ(fibre.fibre, frame.pixels.id[4 * at + 1]);
             ASSERT_EQ(fibre.point, frame.pixels.id[4 * at + 2]);
-            const auto segment = std::ranges::find(segments, whoOf(set, &frame.pixels.id[4 * at]), &reference::FibreSegment::who);
+            const auto segment =
+                std::ranges::find(segments, whoOf(set, &frame.pixels.id[4 * at]), &reference::FibreSegment::who);
             const glm::dvec3 along = segment->to - segment->from, way = fibre.position_mm - segment->from;
             EXPECT_LT(glm::length(glm::cross(way, glm::normalize(along))), 1e-3);
             EXPECT_LT(glm::length(way), glm::length(along) + 1e-3);

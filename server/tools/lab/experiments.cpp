@@ -31,6 +31,8 @@ const std::vector<Experiment>& experiments() {
         {"hlawitschka-fig2", "Hlawitschka et al., Fig. 2: the gap at the centre and what closes it", hlawitschkaFig2},
         {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",
          hlawitschkaFig5},
+        {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
+         fibletScaling},
     };
     return kAll;
 }
