@@ -18,9 +18,11 @@ constexpr std::size_t kBatchPoints = 1 << 20, kFibresPerBlock = 8;
 /// Caps from the whole sphere, for whatever comes, and from the largest turn downwards in constant ratios of their angles.
 void setCaps(double largest_turn, shader::FibletCodec& codec) {
     const double first = std::clamp(largest_turn, 1e-3, 2.2);
-    const double ratio = std::max(std::pow(first / 0.026, 1.0 / (shader::FIBLET_CAPS - 2)), 1.19);  // down to 1.5 degrees or less
+    const double ratio =
+        std::max(std::pow(first / 0.026, 1.0 / (shader::FIBLET_CAPS - 2)), 1.19);  // down to 1.5 degrees or less
     codec.cap_ratio[0] = 2;
-    for (std::uint32_t i = 1; i < shader::FIBLET_CAPS; ++i) codec.cap_ratio[i] = float(1 - std::cos(first * std::pow(ratio, 1.0 - i)));
+    for (std::uint32_t i = 1; i < shader::FIBLET_CAPS; ++i)
+        codec.cap_ratio[i] = float(1 - std::cos(first * std::pow(ratio, 1.0 - i)));
 }
 
 /// One component of one vertex column of a batch, per point of the batch.
