@@ -55,8 +55,7 @@ private:
                 return base + step * glm::dvec3(bits & 1023U, bits >> 10 & 1023U, bits >> 20 & 1023U);
             };
             // The device unpacks in float; a thousandth of a millimetre covers what that rounds.
-            const BoxRelation relation =
-                region_.relate(corner(set_.boxes[h].low) - 1e-3, corner(set_.boxes[h].high) + 1e-3);
+            const BoxRelation relation = region_.relate(corner(set_.boxes[h].low) - 1e-3, corner(set_.boxes[h].high) + 1e-3);
             if (relation != BoxRelation::kUnknown) return markWhole(head, relation);
         }
         markSegments(page, head);
@@ -108,8 +107,10 @@ std::vector<std::uint8_t> fibreRegionFlags(const model::FibletSet& set, const Re
 
 bool meetsInOrder(std::span<const glm::dvec3> points, std::span<const std::unique_ptr<RegionVolume>> regions) {
     if (points.empty()) return false;
-    return inOrder(points.size(), [&](std::size_t i) { return points[i]; }, regions) ||
-           inOrder(points.size(), [&](std::size_t i) { return points[points.size() - 1 - i]; }, regions);
+    return inOrder(
+               points.size(), [&](std::size_t i) { return points[i]; }, regions) ||
+           inOrder(
+               points.size(), [&](std::size_t i) { return points[points.size() - 1 - i]; }, regions);
 }
 
 std::vector<float> fibreLengths(const model::FibletSet& set) {
@@ -123,8 +124,8 @@ std::vector<float> fibreLengths(const model::FibletSet& set) {
                 const std::uint32_t segments = model::fibletSegments(head);
                 double last = 1;
                 if (segments > 0 && model::fibletIsShortened(head)) {
-                    const std::uint32_t* words = set.codes.data() + set.pages[h / shader::FIBLET_PAGE].first_word +
-                                                 model::fibletWord(head);
+                    const std::uint32_t* words =
+                        set.codes.data() + set.pages[h / shader::FIBLET_PAGE].first_word + model::fibletWord(head);
                     last = getBits(words, (segments - 1) * model::fibletWidth(head), 16) / 65535.0;
                 }
                 if (segments > 0) length += (segments - 1 + last) * static_cast<double>(set.codec.step_mm);

@@ -22,8 +22,8 @@ enum FibreRegionFlag : std::uint8_t {
 /// Cost: boxes of all pages, those of the fiblets in pages that straddle, and the segments of fiblets that do.
 std::vector<std::uint8_t> fibreRegionFlags(const model::FibletSet& set, const RegionVolume& region);
 
-/// Whether a fibre meets the regions one after another, from one end or the other: region k + 1 not before region k, in steps of
-/// whole segments. \param points  of the fibre, world mm
+/// Whether a fibre meets the regions one after another, from one end or the other: region k + 1 not before region k, in steps
+/// of whole segments. \param points  of the fibre, world mm
 bool meetsInOrder(std::span<const glm::dvec3> points, std::span<const std::unique_ptr<RegionVolume>> regions);
 
 /// Lengths of the decoded lines, mm.

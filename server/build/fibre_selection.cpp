@@ -9,18 +9,11 @@
 #include "base/parallel.h"
 #include "build/fiblet_code.h"
 #include "build/fibre_regions.h"
+#include "build/phantom_random.h"
 #include "model/selection_text.h"
 
 namespace radiata {
 namespace {
-
-/// A number for each fibre and seed, as if drawn (the finaliser of SplitMix64, Steele et al. 2014).
-std::uint64_t drawOf(std::uint64_t fibre, std::uint64_t seed) {
-    std::uint64_t z = (fibre + 1) * 0x9e3779b97f4a7c15ULL + seed * 0xd1342543de82ef95ULL;
-    z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-    z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-    return z ^ (z >> 31);
-}
 
 template <typename Holds>
 FibreBits bitsWhere(std::uint64_t count, Holds&& holds) {
@@ -29,6 +22,14 @@ FibreBits bitsWhere(std::uint64_t count, Holds&& holds) {
         if (holds(f)) bits.set(f);
     }
     return bits;
+}
+
+/// Of one point, or NaN for none.
+double valueOf(const model::PointColumn& column, std::size_t fiblet, std::uint32_t point) {
+    const std::uint8_t stored = column.values[64 * fiblet + point];
+    if (stored == 255) return std::numeric_limits<double>::quiet_NaN();
+    const glm::dvec2 range(column.ranges[fiblet]);
+    return range.x + (range.y - range.x) * stored / 254.0;
 }
 
 unsigned wantedFlags(model::RegionMode mode) {
@@ -224,11 +225,11 @@ FibreBits FibreSelector::byPoints(const model::PointColumn& column, const model:
             // The last point of a fiblet is the first of the next.
             const std::uint32_t points = model::fibletSegments(head) + (model::fibletIsLast(head) ? 1 : 0);
             for (std::uint32_t k = 0; k < points; ++k) {
-                const float value = model::pointValue(column, h, k);
+                const double value = valueOf(column, h, k);
                 if (std::isnan(value)) continue;
                 sum += value;
-                least = std::min<double>(least, value);
-                largest = std::max<double>(largest, value);
+                least = std::min(least, value);
+                largest = std::max(largest, value);
                 ++count;
             }
         }
@@ -261,14 +262,14 @@ FibreBits FibreSelector::drawn(const model::Selection& selection) const {
     if (selection.kind == model::Selection::Kind::kShare) {
         if (selection.amount >= 1) return FibreBits(count, true);
         const double limit = std::ldexp(selection.amount, 64);
-        return bitsWhere(count, [&](std::uint64_t f) { return static_cast<double>(drawOf(f, selection.seed)) < limit; });
+        return bitsWhere(count, [&](std::uint64_t f) { return static_cast<double>(phantom::hash(selection.seed, f)) < limit; });
     }
     const auto wanted = static_cast<std::uint64_t>(selection.amount);
     if (wanted >= count) return FibreBits(count, true);
     FibreBits bits(count);
     if (wanted == 0) return bits;
     std::vector<std::pair<std::uint64_t, std::uint32_t>> draws(count);
-    for (std::uint64_t f = 0; f < count; ++f) draws[f] = {drawOf(f, selection.seed), static_cast<std::uint32_t>(f)};
+    for (std::uint64_t f = 0; f < count; ++f) draws[f] = {phantom::hash(selection.seed, f), static_cast<std::uint32_t>(f)};
     std::nth_element(draws.begin(), draws.begin() + static_cast<std::ptrdiff_t>(wanted - 1), draws.end());
     for (std::uint64_t i = 0; i < wanted; ++i) bits.set(draws[i].second);
     return bits;

@@ -42,7 +42,8 @@ class FibreSelector {
 public:
     /// \param masks        gives volumes by id, whenever a selection names one
     /// \param cache_bytes  of kept bits; the longest unused go first
-    FibreSelector(std::shared_ptr<const model::FibletSet> set, MaskLookup masks, std::uint64_t cache_bytes = std::uint64_t{1} << 28);
+    FibreSelector(std::shared_ptr<const model::FibletSet> set, MaskLookup masks,
+                  std::uint64_t cache_bytes = std::uint64_t{1} << 28);
 
     /// \throws Error(kNotFound) naming the columns or groups there are, and as masks()
     FibreBits select(const model::Selection& selection);
@@ -59,6 +60,7 @@ private:
     FibreBits ordered(const model::Selection& selection);
     FibreBits byLength(const model::Selection& selection);
     FibreBits byColumn(const model::Selection& selection) const;
+    FibreBits byPoints(const model::PointColumn& column, const model::Selection& selection) const;
     FibreBits inGroup(const model::Selection& selection) const;
     FibreBits drawn(const model::Selection& selection) const;
 

@@ -59,7 +59,8 @@ private:
     }
     static std::size_t index(const glm::ivec3& v, const glm::ivec3& n) {
         return static_cast<std::size_t>(v.x) +
-               static_cast<std::size_t>(n.x) * (static_cast<std::size_t>(v.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(v.z));
+               static_cast<std::size_t>(n.x) *
+                   (static_cast<std::size_t>(v.y) + static_cast<std::size_t>(n.y) * static_cast<std::size_t>(v.z));
     }
     glm::dvec3 voxel(const glm::dvec3& p) const { return glm::dvec3(to_voxel_ * glm::dvec4(p, 1)); }
     bool at(const glm::dvec3& v) const {

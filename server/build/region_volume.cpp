@@ -113,7 +113,8 @@ public:
 protected:
     bool apart(const glm::dvec3& low, const glm::dvec3& high) const override {
         // The corner that lies deepest.
-        const glm::dvec3 deepest(normal_.x > 0 ? low.x : high.x, normal_.y > 0 ? low.y : high.y, normal_.z > 0 ? low.z : high.z);
+        const glm::dvec3 deepest(normal_.x > 0 ? low.x : high.x, normal_.y > 0 ? low.y : high.y,
+                                 normal_.z > 0 ? low.z : high.z);
         return !contains(deepest);
     }
 

@@ -11,7 +11,8 @@ namespace radiata::model {
 namespace {
 
 bool isWord(char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-' || c == '+';
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '.' || c == '-' ||
+           c == '+';
 }
 
 class Parser {
@@ -41,7 +42,8 @@ private:
     }
 
     void skipBlanks() {
-        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r')) ++at_;
+        while (at_ < text_.size() && (text_[at_] == ' ' || text_[at_] == '\t' || text_[at_] == '\n' || text_[at_] == '\r'))
+            ++at_;
     }
 
     bool takeChar(char c) {
@@ -292,7 +294,9 @@ private:
         } else if (takeWord("ellipsoid")) {
             ellipsoid(region);
         } else {
-            fail("a region or filter (sphere, box, ellipsoid, plane, mask, order, length, column, group, fibres, share, sample)");
+            fail(
+                "a region or filter (sphere, box, ellipsoid, plane, mask, order, length, column, group, fibres, share, "
+                "sample)");
         }
         return region;
     }
