@@ -63,6 +63,12 @@ struct Selection {
     bool operator==(const Selection&) const = default;
 };
 
+/// The answer to a selection.
+struct SelectedFibres {
+    std::uint64_t total = 0;            ///< fibres of the tractogram
+    std::vector<std::uint32_t> fibres;  ///< ascending
+};
+
 constexpr std::size_t kSelectionTextMax = 65536;  ///< bytes
 constexpr int kSelectionDepthMax = 64;
 
