@@ -18,7 +18,8 @@ namespace radiata::io {
 /// \throws Error(kCorrupt) if the end triplet is missing, naming fibre and offset, and as readTckHeader() and ByteSource
 std::unique_ptr<model::TractogramSource> openTck(const std::filesystem::path& path);
 
-/// Values of a .tsf file, track after track, or those of a .tck file as they stand (three numbers each).
+/// Values of a .tsf file (whose end mark MRtrix3 leaves out), track after track, or those of a .tck file as they stand (three
+/// numbers each).
 class TckNumbers {
 public:
     /// \param width  numbers per vertex: 3 for tracks, 1 for scalars

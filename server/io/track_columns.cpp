@@ -28,7 +28,8 @@ public:
         std::size_t count = 0;
         for (;;) {
             const std::span<const float> values = numbers_.buffered();
-            if (values.empty()) numbers_.failCutOff(fibre);
+            if (values.empty() && count > 0) numbers_.failCutOff(fibre);
+            if (values.empty()) failTooFew(fibre);  // MRtrix3 writes no end mark into these files
             std::size_t run = 0;
             while (run < values.size() && !std::isnan(values[run]) && !std::isinf(values[run])) ++run;
             if (count + run > kFibrePointsMax) {
@@ -39,10 +40,7 @@ public:
             out.insert(out.end(), values.begin(), values.begin() + static_cast<std::ptrdiff_t>(run));
             count += run;
             const bool stopped = run < values.size();
-            if (stopped && std::isinf(values[run])) {
-                throw Error(Code::kCorrupt, name() + ": holds values of " + std::to_string(fibre) +
-                                                " fibres, and the tracks go on; the two files do not belong together");
-            }
+            if (stopped && std::isinf(values[run])) failTooFew(fibre);
             numbers_.take(run + (stopped ? 1 : 0));
             if (stopped) return count;
         }
@@ -51,14 +49,18 @@ public:
     /// \throws Error(kCorrupt) if values of more fibres follow
     void requireEnd(std::uint64_t fibres) {
         const std::span<const float> values = numbers_.buffered();
-        if (values.empty()) numbers_.failCutOff(fibres);
-        if (!std::isinf(values.front())) {
+        if (!values.empty() && !std::isinf(values.front())) {
             throw Error(Code::kCorrupt, name() + ": goes on after the values of all " + std::to_string(fibres) +
                                             " fibres; the two files do not belong together");
         }
     }
 
 private:
+    [[noreturn]] void failTooFew(std::uint64_t fibres) const {
+        throw Error(Code::kCorrupt, name() + ": holds values of " + std::to_string(fibres) +
+                                        " fibres, and the tracks go on; the two files do not belong together");
+    }
+
     TckNumbers numbers_;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -52,7 +53,7 @@ struct TrkFile {
     bool big = false;
     std::array<double, 3> dim{10, 20, 30}, voxel{2, 2, 2};
     std::vector<std::string> scalar_names, property_names;  ///< 20 bytes each at most
-    int scalars = -1, properties = -1;                      ///< -1: as many as names
+    std::optional<int> scalars, properties;                 ///< unset: as many as names
     std::array<double, 16> matrix{2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 2, 0, 0, 0, 0, 1};
     std::string order = "RAS";
     int count = 0, version = 2, header_size = 1000;
@@ -69,8 +70,8 @@ inline std::string trkBytes(const TrkFile& file) {
         put(bytes, 6 + 2 * i, number(file.dim[i], "int16"));
         put(bytes, 12 + 4 * i, number(file.voxel[i], "float32"));
     }
-    const auto names = [&](std::size_t at, int count, const std::vector<std::string>& list) {
-        put(bytes, at, number(count < 0 ? static_cast<double>(list.size()) : count, "int16"));
+    const auto names = [&](std::size_t at, std::optional<int> count, const std::vector<std::string>& list) {
+        put(bytes, at, number(static_cast<double>(count.value_or(static_cast<int>(list.size()))), "int16"));
         for (std::size_t i = 0; i < list.size(); ++i) put(bytes, at + 2 + 20 * i, list[i]);
     };
     names(36, file.scalars, file.scalar_names);

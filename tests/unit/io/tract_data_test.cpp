@@ -42,7 +42,8 @@ TEST(TractData, IsReadAsItsReferencesSay) {
     int compared = 0;
     for (const char* list : {"tracts.json", "trx_tt.json"}) {
         if (data.empty()) break;
-        for (const auto& [name, reference] : readJson(data / "refs" / list).items()) {
+        const nlohmann::json references = readJson(data / "refs" / list);
+        for (const auto& [name, reference] : references.items()) {
             if (!name.starts_with("share/")) continue;  // others are made by a script
             SCOPED_TRACE(name);
             compare(model::readAll(*openTractogram(data / name.substr(6))), reference);
