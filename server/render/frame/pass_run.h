@@ -20,6 +20,7 @@ namespace radiata::render {
 struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
+    std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world
 };
 
