@@ -69,7 +69,7 @@ enum class PassKind {
     kGlyphBoxes,       ///< boxes drawn, one march per fragment
     kGlyphTessellate,  ///< runs part by part together with the next
     kGlyphMesh,
-    kRasterSurface,  ///< what was drawn, into the surface buffer
+    kRasterSurface,    ///< what was drawn, into the surface buffer
     kClear,            ///< an empty surface buffer, where no pass writes all of it
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer

@@ -14,6 +14,10 @@
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
 
+namespace radiata::store {
+class VolumeDataset;
+}
+
 namespace radiata::render {
 
 /// One layer as it stands on the device; of the scenes, that of the layer's kind is set.

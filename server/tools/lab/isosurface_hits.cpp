@@ -1,8 +1,11 @@
 // isosurface-hits: the cubic's solver on random chords, and primary rays with and without bricks, exact and marched.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include "build/folded_ball.h"
+#include "build/marching_cubes.h"
+#include "reference/volume_function.h"
 #include "store/store.h"
 #include "tools/lab/chords.h"
 #include "tools/lab/experiments.h"
@@ -81,6 +84,38 @@ void addVolume(render::Renderer& renderer, store::Store& store, int size, int he
         {title + ": without bricks / with", measured[1].time.median() / measured[0].time.median(), ">=", bound});
 }
 
+/// What triangles of marching cubes are off by: the distance of their middles from the surface, to first order.
+void addTriangles(Report& report) {
+    Table table{"marching-cubes: triangles, which stand for one isovalue",
+                {"volume", "seconds to extract", "triangles", "MiB", "middle off by, median, voxels", "99 %", "largest"},
+                {}};
+    for (const int size : {96, 256}) {
+        const model::ScalarImage image = foldedBall(size);
+        const reference::VolumeFunction volume(image);
+        Series seconds;
+        SurfaceMesh mesh;
+        for (int i = 0; i < 3; ++i) {
+            const auto begin = std::chrono::steady_clock::now();
+            mesh = marchCubes(image, 30);
+            seconds.values.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
+        }
+        std::vector<double> off;
+        for (std::size_t t = 0; t < mesh.triangles.size(); t += 3) {
+            const glm::dvec3 middle =
+                (glm::dvec3(mesh.positions[mesh.triangles[t]]) + glm::dvec3(mesh.positions[mesh.triangles[t + 1]]) +
+                 glm::dvec3(mesh.positions[mesh.triangles[t + 2]])) /
+                3.0;
+            off.push_back(std::abs(volume.value(middle) - 30) / std::max(glm::length(volume.gradient(middle)), 1e-9));
+        }
+        const double mib = static_cast<double>(mesh.positions.size() * 24 + mesh.triangles.size() * 4) / (1 << 20);
+        table.rows.push_back({std::to_string(size) + "^3", shortNumber(seconds.median()),
+                              std::to_string(mesh.triangles.size() / 3), shortNumber(mib), shortNumber(median(off)),
+                              shortNumber(quantile(off, 0.99)), shortNumber(quantile(off, 1))});
+    }
+    report.tables.push_back(table);
+    report.notes.push_back("marching-cubes runs on one core; a new isovalue needs new triangles, exact hits need nothing");
+}
+
 }  // namespace
 
 Report isosurfaceHits(gpu::Device& device, const Options& options) {
@@ -96,6 +131,7 @@ Report isosurfaceHits(gpu::Device& device, const Options& options) {
     addChords(device, report);
     addVolume(renderer, store, 96, height, 2, report);
     addVolume(renderer, store, 256, height, 3, report);
+    addTriangles(report);
     report.notes.push_back(
         "wrong pixels: another surface, or none, more than 0.01 mm (voxels are 1 mm) away from the exact hit");
     noteShortfalls(report, height, 512);
