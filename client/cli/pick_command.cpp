@@ -72,8 +72,18 @@ std::string describe(const v1::PickedFibre& fibre) {
     return formatTable({"picked", ""}, rows);
 }
 
+std::string describe(const v1::PickedSurface& surface) {
+    return formatTable({"picked", ""}, {{"layer", std::to_string(surface.layer()) + " (" + surface.dataset_id() + ")"},
+                                        {"voxel", std::to_string(surface.voxel(0)) + ", " + std::to_string(surface.voxel(1)) +
+                                                      ", " + std::to_string(surface.voxel(2))},
+                                        {"position mm", vectorText(surface.position_mm(), 3)},
+                                        {"normal", vectorText(surface.normal(), 4)},
+                                        {"value", formatNumber(surface.value(), 5)}});
+}
+
 std::string describe(const v1::PickResponse& response) {
     if (response.has_fibre()) return describe(response.fibre());
+    if (response.has_surface()) return describe(response.surface());
     return response.has_glyph() ? describe(response.glyph()) : "nothing lies under this pixel\n";
 }
 
@@ -84,7 +94,7 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
     request.set_y(options.pixel[1]);
     request.set_radius_px(options.radius_px);
     const Connection connection(connection_options);
-    completeRequest(*request.mutable_request(), connection);
+    completeRequest(*request.mutable_request(), connection, options.request.plane);
     grpc::ClientContext context;
     connection.prepare(context);
     v1::PickResponse response;

@@ -13,6 +13,7 @@
 
 #include "common/connection.h"
 #include "common/fibre_options.h"
+#include "common/isosurface_options.h"
 #include "common/light_options.h"
 #include "common/tensor_options.h"
 #include "common/uncertainty_options.h"
@@ -39,6 +40,7 @@ struct RequestOptions {
     std::vector<double> uniform_colour;
     TensorOptions tensors;
     FibreOptions fibres;
+    IsosurfaceOptions isosurfaces;
     std::optional<float> opacity;
     UncertaintyOptions uncertainty;
     std::optional<float> isotropic_part;
@@ -72,7 +74,8 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
 v1::FrameRequest makeRequest(const RequestOptions& options);
 
 /// Fills in what only the server knows: the dataset if there is one only, and the camera that fits it unless one is set.
+/// \param plane  isosurfaces are looked at along its normal
 /// \throws ClientError(kUsage) if no dataset was named and the server has none or several
-void completeRequest(v1::FrameRequest& request, const Connection& connection);
+void completeRequest(v1::FrameRequest& request, const Connection& connection, v1::Plane plane);
 
 }  // namespace radiata::client

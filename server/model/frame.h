@@ -39,6 +39,7 @@ struct Quality {
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
     FibletPipeline fiblet_pipeline = FibletPipeline::kAtomic;
     FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
+    IsosurfaceSettings isosurface;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

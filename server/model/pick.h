@@ -1,4 +1,4 @@
-// What lies under a pixel: a point on a glyph, its function and its peaks.
+// What lies under a pixel: a point on a glyph, its function and its peaks; or a point on an isosurface.
 #pragma once
 
 #include <cstdint>
@@ -56,7 +56,16 @@ struct PickedFibre {
     std::vector<FibreValue> values;
 };
 
-using Picked = std::variant<PickedGlyph, PickedFibre>;
+struct PickedSurface {
+    int layer = 0;
+    std::string dataset_id;
+    glm::ivec3 voxel{0};        ///< nearest to the position
+    glm::dvec3 position_mm{0};  ///< on the surface, world
+    glm::dvec3 normal{0};       ///< unit, world axes, towards the viewer
+    double value = 0;           ///< of the trilinear volume there
+};
+
+using Picked = std::variant<PickedGlyph, PickedFibre, PickedSurface>;
 /// How far from the pixel fibres are looked for.
 constexpr int kPickRadiusMax = 64;
 

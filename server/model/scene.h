@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "math/colour_map.h"
+#include "model/isosurface_layer.h"
 #include "model/tractogram_layer.h"
 
 namespace radiata::model {
@@ -82,12 +83,6 @@ struct GlyphLayer {
     std::optional<Uncertainty> uncertainty;
     float isotropic_part = 0;  ///< added in all directions, in units of the dataset's typical amplitude
     bool operator==(const GlyphLayer&) const = default;
-};
-
-/// The surface of one value of a scalar volume.
-struct IsosurfaceLayer {
-    std::string dataset_id;
-    bool operator==(const IsosurfaceLayer&) const = default;
 };
 
 struct Layer {

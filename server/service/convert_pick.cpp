@@ -42,6 +42,16 @@ void setPicked(const model::PickedFibre& picked, v1::PickResponse& message) {
     }
 }
 
+void setPicked(const model::PickedSurface& picked, v1::PickResponse& message) {
+    v1::PickedSurface& surface = *message.mutable_surface();
+    surface.set_layer(static_cast<std::uint32_t>(picked.layer));
+    surface.set_dataset_id(picked.dataset_id);
+    for (int axis = 0; axis < 3; ++axis) surface.add_voxel(static_cast<std::uint32_t>(picked.voxel[axis]));
+    *surface.mutable_position_mm() = toProto(picked.position_mm);
+    *surface.mutable_normal() = toProto(picked.normal);
+    surface.set_value(picked.value);
+}
+
 }  // namespace
 
 v1::PickResponse toProto(const model::Picked& picked) {

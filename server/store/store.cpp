@@ -19,6 +19,7 @@
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
 #include "store/tract_files.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::store {
 namespace {
@@ -114,6 +115,7 @@ struct Store::Impl {
         std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
         std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these, once it is loaded
         std::shared_ptr<const ScalarDataset> scalars;
+        std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
         std::shared_ptr<const model::FibletSet> fiblets;
         std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
 
@@ -281,6 +283,17 @@ std::unique_ptr<model::TractogramSource> Store::tracts(const std::string& id) {
 }
 
 void Store::setTractCache(const std::filesystem::path& folder) { impl_->tract_cache = folder; }
+
+std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->scalars) {
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is no scalar volume; isosurfaces need one");
+    }
+    if (!slot->volume) slot->volume = std::make_shared<const VolumeDataset>(impl_->device, slot->scalars->image());
+    return slot->volume;
+}
 
 model::DatasetInfo Store::info(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);

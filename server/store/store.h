@@ -27,6 +27,7 @@ namespace radiata::store {
 
 class GlyphDataset;
 class ScalarDataset;
+class VolumeDataset;
 
 struct CatalogEntry {
     std::string id;
@@ -67,6 +68,8 @@ public:
     std::shared_ptr<FibreSelector> selector(const std::string& id);
     /// The fibres as their file has them, or as they are decoded if there is none. \throws as fiblets()
     std::unique_ptr<model::TractogramSource> tracts(const std::string& id);
+    /// A scalar volume on the device, for isosurfaces; put there by the first call.
+    std::shared_ptr<const VolumeDataset> volume(const std::string& id);
 
 private:
     struct Impl;

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "build/phantom.h"
+#include "build/phantom_anatomy.h"
 #include "build/phantom_tracts.h"
 #include "build/stiffness_field.h"
 #include "io/nifti_write.h"
@@ -26,7 +27,8 @@ using radiata::Error;
 using radiata::Phantom;
 
 struct Files {
-    std::filesystem::path image, labels, bundles, tracts;
+    std::filesystem::path image, labels, bundles, tracts, anatomy;
+    double anatomy_voxel_mm = 1.5;
 };
 
 radiata::io::Volume labelVolume(const Phantom& phantom) {
@@ -38,6 +40,16 @@ radiata::io::Volume labelVolume(const Phantom& phantom) {
     volume.source = "labels";
     volume.data.assign(labels.begin(), labels.end());
     return volume;
+}
+
+void writeAnatomy(std::uint64_t seed, double voxel_mm, const std::filesystem::path& path) {
+    radiata::model::ScalarImage image = radiata::phantomAnatomy(seed, voxel_mm);
+    radiata::io::Volume volume;
+    volume.size = {image.size.x, image.size.y, image.size.z, 1};
+    volume.voxel_to_world = image.voxel_to_world;
+    volume.source = image.source;
+    volume.data = std::move(image.values);
+    radiata::io::writeNifti(volume, path);
 }
 
 void writeBundles(const Phantom& phantom, const std::filesystem::path& path) {
@@ -89,10 +101,12 @@ void make(const radiata::PhantomOptions& options, const radiata::PhantomTractOpt
     checkNiftiName(files.image);
     if (!files.tracts.empty()) radiata::io::requireWritableName(files.tracts);
     if (!files.labels.empty()) checkNiftiName(files.labels);
+    if (!files.anatomy.empty()) checkNiftiName(files.anatomy);
     const Phantom phantom(options);
     const radiata::model::ShImage image = phantom.shImage();
     radiata::io::writeNifti(radiata::io::shVolume(image, radiata::ShConvention::kTournier07), files.image);
     if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
+    if (!files.anatomy.empty()) writeAnatomy(options.seed, files.anatomy_voxel_mm, files.anatomy);
     if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
     if (!files.tracts.empty()) writeTracts(phantom, tracts, files.tracts);
     std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",
@@ -130,6 +144,12 @@ int main(int argc, char** argv) {
                       ->excludes(brick);
     app.add_option("--fibres", tracts.fibres, "how many streamlines")->capture_default_str()->needs(lines);
     app.add_option("--step", tracts.step_mm, "distance of their points in mm, 0.01 to 10")->capture_default_str()->needs(lines);
+    auto* anatomy = app.add_option("--anatomy", files.anatomy,
+                                   "write a scalar volume somewhat like a T1 image, for isosurfaces, .nii or .nii.gz")
+                        ->excludes(brick);
+    app.add_option("--anatomy-voxel", files.anatomy_voxel_mm, "edge of its voxels in mm, 0.25 to 20")
+        ->capture_default_str()
+        ->needs(anatomy);
     CLI11_PARSE(app, argc, argv);
     try {
         if (stiffness) {

@@ -16,6 +16,10 @@
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
 
+namespace radiata::store {
+class VolumeDataset;
+}
+
 namespace radiata::render {
 
 /// One layer as it stands on the device; of the scenes, that of the layer's kind is set.
@@ -24,6 +28,7 @@ struct DrawnLayer {
     std::shared_ptr<const FibletScene> tracts;
     std::shared_ptr<const FibreLook> fibres;              ///< of tracts
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
+    std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world
 };
 

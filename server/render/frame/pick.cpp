@@ -8,6 +8,7 @@
 #include "gpu/device.h"
 #include "math/sh_evaluate.h"
 #include "render/fiblet/fibre_measures.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
@@ -23,7 +24,7 @@ glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface, con
     return list.camera.reference_mm + origin + static_cast<double>(surface.depth) * glm::normalize(direction);
 }
 
-model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface) {
+model::PickedGlyph describeGlyph(const DrawList& list, const shader::Surface& surface) {
     model::PickedGlyph glyph;
     const std::size_t layer = surface.layer_and_steps >> 24U;
     const GlyphScene& scene = *list.layers[layer].glyphs;
@@ -79,6 +80,21 @@ model::PickedFibre describeFibre(const DrawList& list, const shader::Surface& su
     return fibre;
 }
 
+model::PickedSurface describeSurface(const DrawList& list, const shader::Surface& surface) {
+    model::PickedSurface picked;
+    const std::size_t layer = surface.layer_and_steps >> 24U;
+    const store::VolumeDataset& volume = *list.layers[layer].volume;
+    picked.layer = static_cast<int>(layer);
+    const model::IsosurfaceLayer& wanted = list.plan->resolved.scene.layers[layer].surface();
+    picked.dataset_id = wanted.dataset_id;
+    picked.position_mm = hitPosition(list, surface, {0, 0});
+    const glm::ivec3 nearest(glm::round(volume.worldToGrid(picked.position_mm)));
+    picked.voxel = glm::clamp(nearest, glm::ivec3(0), volume.params().size - 1);
+    picked.normal = glm::dvec3(surface.normal);
+    picked.value = *wanted.isovalue;
+    return picked;
+}
+
 }  // namespace
 
 model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
@@ -129,6 +145,7 @@ std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Targ
     };
     const shader::Surface& middle = at(0, 0);
     if (middle.who != kNobody && layerOf(middle).glyphs) return describe(list, middle);
+    if (middle.who != kNobody && layerOf(middle).volume) return describeSurface(list, middle);
     glm::ivec2 best(0);
     bool found = false;
     const auto nearness = [&](const glm::ivec2& d) { return std::pair(d.x * d.x + d.y * d.y, at(d.x, d.y).depth); };

@@ -15,7 +15,9 @@
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
+#include "store/scalar_dataset.h"
 #include "store/store.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
@@ -39,6 +41,19 @@ plan::SceneBounds unite(const std::vector<DrawnLayer>& layers) {
         all.maximum = glm::max(all.maximum, layer.bounds.maximum);
     }
     return all;
+}
+
+/// World box of the points between the outermost samples, where a surface can be.
+plan::SceneBounds volumeBounds(const store::VolumeDataset& volume) {
+    plan::SceneBounds bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    const glm::ivec3 last = volume.params().size - 1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 grid(corner & 1 ? last.x : 0, corner & 2 ? last.y : 0, corner & 4 ? last.z : 0);
+        const glm::dvec3 world = volume.gridToWorld(glm::dvec3(grid));
+        bounds.minimum = glm::min(bounds.minimum, world);
+        bounds.maximum = glm::max(bounds.maximum, world);
+    }
+    return bounds;
 }
 
 /// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
@@ -99,7 +114,8 @@ struct Renderer::Impl {
     /// Of the dataset that a layer names, mm; all positions on the device are relative to that of the first layer.
     glm::dvec3 centreOf(const model::Layer& layer) {
         if (layer.ifTracts()) return tracts.scene(device, store.fiblets(layer.datasetId()))->bounds().centre();
-        return datasetCentre(store.glyphs(layer.datasetId())->image());
+        if (layer.ifGlyphs()) return datasetCentre(store.glyphs(layer.datasetId())->image());
+        return volumeBounds(*store.volume(layer.datasetId())).centre();
     }
 
     /// The layer on the device, from scratch or from what is kept.
@@ -119,6 +135,10 @@ struct Renderer::Impl {
             result.bounds.minimum -= grown;
             result.bounds.maximum += grown;
         }
+        if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
+            result.volume = store.volume(surface->dataset_id);
+            result.bounds = volumeBounds(*result.volume);
+        }
         return result;
     }
 
@@ -130,6 +150,14 @@ struct Renderer::Impl {
             facts.fiblets = layer.tracts->fibletCount();
             facts.value_min = static_cast<double>(layer.fibres->valueMin());
             facts.value_max = static_cast<double>(layer.fibres->valueMax());
+            return facts;
+        }
+        if (layer.volume) {
+            plan::LayerFacts facts;
+            facts.value_min = layer.volume->valueMin();
+            facts.value_max = layer.volume->valueMax();
+            facts.value_split = layer.volume->valueSplit();
+            facts.voxel_edge_mm = layer.volume->params().voxel_mm;
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -274,6 +302,9 @@ model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::Vo
     if (impl_->store.info(dataset_id).kind == model::DatasetKind::kTractogram) {
         const model::DatasetInfo info = impl_->store.info(dataset_id);
         return plan::fitCamera({info.bounds_min, info.bounds_max}, selection, convention, aspect);
+    }
+    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kScalarVolume) {
+        return plan::fitCamera(volumeBounds(*impl_->store.volume(dataset_id)), selection, convention, aspect);
     }
     const auto dataset = impl_->store.glyphs(dataset_id);
     const plan::SceneBounds bounds = selectionBounds(*dataset, selection);
