@@ -100,14 +100,16 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
 
 void addPickCommand(CLI::App& app, const ConnectionOptions& connection) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("pick", "What lies under a pixel: voxel or fibre, place, direction, amplitude, peaks");
+    CLI::App* command =
+        app.add_subcommand("pick", "What lies under a pixel: voxel or fibre, place, direction, amplitude, peaks");
     addRequestOptions(*command, options->request, true);
     command->add_option("--pixel", options->pixel, "Column and row from the picture's upper left corner, from 0")
         ->delimiter(',')
         ->expected(2)
         ->type_name("X,Y")
         ->required();
-    command->add_option("--radius", options->radius_px, "Pixels within which a fibre is looked for, 0 to 64")->capture_default_str();
+    command->add_option("--radius", options->radius_px, "Pixels within which a fibre is looked for, 0 to 64")
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &connection] { pick(connection, *options); });
 }

@@ -18,7 +18,8 @@ void addCut(v1::TractogramLayer& layer, const double* point, const double* norma
     const double length = std::hypot(normal[0], normal[1], normal[2]);
     const double along = length > 0 ? shift_mm / length : 0;
     v1::FibreCut& cut = *layer.add_cuts();
-    setVector(*cut.mutable_point_mm(), point[0] + along * normal[0], point[1] + along * normal[1], point[2] + along * normal[2]);
+    setVector(*cut.mutable_point_mm(), point[0] + along * normal[0], point[1] + along * normal[1],
+              point[2] + along * normal[2]);
     setVector(*cut.mutable_normal(), sign * normal[0], sign * normal[1], sign * normal[2]);
 }
 
@@ -121,13 +122,17 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
         ->type_name("X,Y,Z,NX,NY,NZ");
     app.add_option("--group", options.groups, "Show the fibres of these groups")->delimiter(',')->type_name("NAME,...");
     app.add_option("--fibre", options.fibres, "Show the fibres of these numbers")->delimiter(',')->type_name("N,...");
-    app.add_option("--length", options.length, "Show fibres of these lengths, mm")->delimiter(',')->expected(2)->type_name("LOW,HIGH");
+    app.add_option("--length", options.length, "Show fibres of these lengths, mm")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("LOW,HIGH");
     app.add_option("--select-group", options.select_groups, "Let the fibres of these groups stand out")
         ->delimiter(',')
         ->type_name("NAME,...");
     app.add_option("--select-fibre", options.select_fibres, "Let these fibres stand out")->delimiter(',')->type_name("N,...");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
-    app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")->check(CLI::IsMember({"atomic"}));
+    app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
+        ->check(CLI::IsMember({"atomic"}));
     app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
         ->check(CLI::IsMember({"two-phase", "frustum", "none"}));
 }

@@ -14,14 +14,14 @@ namespace radiata::client {
 
 struct FibreOptions {
     std::string dataset;  ///< empty: no layer of fibres
-    std::string colour;  ///< empty: by direction
+    std::string colour;   ///< empty: by direction
     std::string column;
     std::string map;           ///< word of v1::ColourMap
     std::vector<float> range;  ///< two numbers
     std::vector<double> uniform;
     std::optional<std::uint32_t> line_width;
     std::optional<float> tube_radius_mm;
-    std::vector<double> slab;  ///< point and normal, world, and thickness, mm
+    std::vector<double> slab;               ///< point and normal, world, and thickness, mm
     std::vector<std::vector<double>> cuts;  ///< point and normal each
     std::vector<std::string> groups, select_groups;
     std::vector<std::uint32_t> fibres, select_fibres;

@@ -110,8 +110,8 @@ void checkContent(const TractogramLayer& tracts, const std::string& where) {
     if (colour.mode == FibreColourMode::kColumn && colour.column.empty()) {
         refuse(where + ".colour.column.name is empty; the catalogue lists the columns");
     }
-    if (colour.range && !(std::isfinite(colour.range->low) && std::isfinite(colour.range->high) &&
-                          colour.range->low < colour.range->high)) {
+    if (colour.range &&
+        !(std::isfinite(colour.range->low) && std::isfinite(colour.range->high) && colour.range->low < colour.range->high)) {
         refuse(where + ".colour range is " + std::to_string(colour.range->low) + " to " + std::to_string(colour.range->high) +
                "; both must be finite, low below high");
     }

@@ -47,11 +47,11 @@ struct PickedFibre {
     int layer = 0;
     std::string dataset_id;
     std::uint32_t fibre = 0;
-    std::uint32_t point = 0;     ///< before the place, from 0
-    glm::dvec3 position_mm{0};   ///< world, on the fibre
-    glm::dvec3 tangent{0};       ///< unit, world
-    double length_mm = 0;        ///< of the fibre
-    double distance_px = 0;      ///< from the pixel that was asked for
+    std::uint32_t point = 0;          ///< before the place, from 0
+    glm::dvec3 position_mm{0};        ///< world, on the fibre
+    glm::dvec3 tangent{0};            ///< unit, world
+    double length_mm = 0;             ///< of the fibre
+    double distance_px = 0;           ///< from the pixel that was asked for
     std::vector<std::string> groups;  ///< that the fibre is in
     std::vector<FibreValue> values;
 };

@@ -34,7 +34,7 @@ struct FibreColour {
 
 /// The half space {p : dot(p - point, normal) <= 0} is shown.
 struct FibreCut {
-    glm::dvec3 point_mm{0};    ///< world
+    glm::dvec3 point_mm{0};      ///< world
     glm::dvec3 normal{0, 0, 1};  ///< world axes; any length but zero
     bool operator==(const FibreCut&) const = default;
 };

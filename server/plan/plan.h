@@ -22,7 +22,7 @@ struct Abilities {
     bool software = false;  ///< a CPU rasteriser
     bool raster = false;    ///< draws triangles
     bool int64_atomics = false;
-    bool float64 = false;   ///< shaders in double precision
+    bool float64 = false;  ///< shaders in double precision
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -31,16 +31,16 @@ struct LayerFacts {
     int tensor_order = 0;      ///< of the dataset's tensors; 0: it has none
     std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
-    double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
-    double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
-    double radius_typical_mm = 0;         ///< of the typical amplitude
-    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
-    bool odd_bands_only = false;          ///< all even bands of a full layout are 0
-    bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
-    double voxel_edge_mm = 0;             ///< the shortest
-    double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
+    double rays_per_glyph = 0;              ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
+    double depth_complexity = 1;            ///< estimate: glyph boxes along one ray
+    double radius_typical_mm = 0;           ///< of the typical amplitude
+    double value_min = 0, value_max = 0;    ///< of the volume that colours the layer, if there is one
+    bool odd_bands_only = false;            ///< all even bands of a full layout are 0
+    bool camera_close = false;              ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double voxel_edge_mm = 0;               ///< the shortest
+    double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
     std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
-    std::vector<LayerFacts> uncertainty;  ///< of the layer's second glyphs: one entry, or none
+    std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
 /// How one glyph layer is drawn.

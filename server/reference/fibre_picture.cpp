@@ -92,8 +92,8 @@ std::vector<FibrePixel> fibrePicture(std::span<const FibreSegment> segments, con
                     const bool doubtful = !drawn || !inside || shift != 0;
                     for (int j = std::max(start, 0); j < std::min(start + line_width, size[other]); ++j) {
                         const int x = axis == 0 ? i : j, y = axis == 0 ? j : i;
-                        const std::size_t at = static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                                               static_cast<std::size_t>(x);
+                        const std::size_t at =
+                            static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
                         const bool sure = !unsure_axis && !at_end;
                         if (!doubtful) {
                             show(picture[at], segment.who, depth, sure);

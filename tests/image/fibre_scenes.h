@@ -13,8 +13,8 @@
 namespace radiata::test {
 
 /// \param centre_mm  where they are shifted to
-inline model::FibletSet randomTractogram(std::uint32_t seed, std::size_t fibres, std::size_t points, double step_mm, double extent_mm,
-                                         const glm::dvec3& centre_mm = glm::dvec3(0)) {
+inline model::FibletSet randomTractogram(std::uint32_t seed, std::size_t fibres, std::size_t points, double step_mm,
+                                         double extent_mm, const glm::dvec3& centre_mm = glm::dvec3(0)) {
     std::mt19937 random(seed);
     Fibres made;
     for (std::size_t f = 0; f < fibres; ++f) {

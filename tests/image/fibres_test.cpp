@@ -1,5 +1,5 @@
-// Fibres in pictures: who is seen in each pixel against the reference in double, what culling must not change, what the settings
-// of a layer do.
+// Fibres in pictures: who is seen in each pixel against the reference in double, what culling must not change, what the
+// settings of a layer do.
 #include <cmath>
 #include <iostream>
 #include <set>
@@ -71,17 +71,17 @@ TEST_F(FibrePictures, ShowTheSegmentsThatTheReferenceFinds) {
     }
 }
 
-/// Culled and unculled frames have the same bytes and ids, whatever was seen before: 1500 cameras in a random walk of jumps.
+/// Culled and unculled frames have the same bytes and ids, whatever was seen before: 1000 cameras in a random walk of jumps.
 TEST_F(FibrePictures, DoNotDependOnCulling) {
     const glm::dvec3 centre(-3, 8, 1);
-    const model::FibletSet set = randomTractogram(8, 400, 300, 0.3, 12, centre);
+    const model::FibletSet set = randomTractogram(8, 150, 300, 0.3, 8, centre);
     store.add("fibres", set);
     std::mt19937 random(9);
     render::Target kept;
     int shown = 0;
-    for (int i = 0; i < 1500; ++i) {
-        model::FrameRequest request = fibreRequest("fibres", 48, 36);
-        request.camera = randomCamera(random, centre, 20);
+    for (int i = 0; i < 1000; ++i) {
+        model::FrameRequest request = fibreRequest("fibres", 32, 24);
+        request.camera = randomCamera(random, centre, 15);
         if (i % 5 == 0) request.scene.layers[0].tracts().line_width_px = 5;
         if (i % 7 == 0) request.scene.layers[0].tracts().tube_radius_mm = 0.3F;
         request.quality.fiblet_culling = model::FibletCulling::kNone;
@@ -95,9 +95,9 @@ TEST_F(FibrePictures, DoNotDependOnCulling) {
             request.quality.fiblet_culling = model::FibletCulling::kFrustum;
             ASSERT_EQ(all.pixels.id, draw(request).pixels.id) << i;
         }
-        shown += all.info.hit_pixels > 100;
+        shown += all.info.hit_pixels > 60;
     }
-    EXPECT_GT(shown, 700) << "cameras that see something";
+    EXPECT_GT(shown, 400) << "cameras that see something";
 }
 
 TEST_F(FibrePictures, ShowGroupsSelectionsAndCuts) {
@@ -141,7 +141,7 @@ TEST_F(FibrePictures, ShowGroupsSelectionsAndCuts) {
     for (const model::FibletCulling culling : {model::FibletCulling::kTwoPhase, model::FibletCulling::kNone}) {
         request.quality.fiblet_culling = culling;
         const model::Frame frame = draw(request);
-        EXPECT_GT(frame.info.hit_pixels, 500);
+        EXPECT_GT(frame.info.hit_pixels, 300);
         for (std::size_t at = 0; at < frame.pixels.depth.size(); ++at) {
             if (frame.pixels.id[4 * at] < 0) continue;
             const double z = frame.info.position_origin_mm.z + static_cast<double>(frame.pixels.position[3 * at + 2]);
@@ -179,7 +179,8 @@ TEST_F(FibrePictures, ArePickedWhereTheyAreSeen) {
             const auto& fibre = std::get<model::PickedFibre>(*picked);
             ASSERT_EQ(fibre.fibre, frame.pixels.id[4 * at + 1]);
             ASSERT_EQ(fibre.point, frame.pixels.id[4 * at + 2]);
-            const auto segment = std::ranges::find(segments, whoOf(set, &frame.pixels.id[4 * at]), &reference::FibreSegment::who);
+            const auto segment =
+                std::ranges::find(segments, whoOf(set, &frame.pixels.id[4 * at]), &reference::FibreSegment::who);
             const glm::dvec3 along = segment->to - segment->from, way = fibre.position_mm - segment->from;
             EXPECT_LT(glm::length(glm::cross(way, glm::normalize(along))), 1e-3);
             EXPECT_LT(glm::length(way), glm::length(along) + 1e-3);

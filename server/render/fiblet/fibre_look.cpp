@@ -88,7 +88,8 @@ std::vector<float> fibreValues(const model::FibletSet& set, const model::FibreCo
             for (const std::uint32_t fibre : set.groups[group].fibres) values.at(fibre) = static_cast<float>(group);
         }
     } else if (colour.mode == model::FibreColourMode::kColumn) {
-        const auto column = std::ranges::find_if(set.fibre_columns, [&](const auto& each) { return each.name == colour.column; });
+        const auto column =
+            std::ranges::find_if(set.fibre_columns, [&](const auto& each) { return each.name == colour.column; });
         if (column == set.fibre_columns.end() || column->components != 1) {
             throw Error(Code::kInvalidArgument, set.source + " has no column '" + colour.column +
                                                     "' of one number per fibre; it has " + names(set.fibre_columns));

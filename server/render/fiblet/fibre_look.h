@@ -14,8 +14,8 @@ namespace radiata::render {
 /// \throws Error(kInvalidArgument) for groups and fibres that the tractogram lacks, naming those it has
 std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer);
 
-/// What colours each fibre: values of the column, lengths, or places of groups, COLOUR_NO_VALUE where there is none; empty where
-/// nothing of the kind does. \throws Error(kInvalidArgument) for a column that the tractogram lacks
+/// What colours each fibre: values of the column, lengths, or places of groups, COLOUR_NO_VALUE where there is none; empty
+/// where nothing of the kind does. \throws Error(kInvalidArgument) for a column that the tractogram lacks
 std::vector<float> fibreValues(const model::FibletSet& set, const model::FibreColour& colour);
 
 /// The two on the device, for as long as the layer's settings stay.

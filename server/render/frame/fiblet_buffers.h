@@ -12,13 +12,13 @@
 namespace radiata::render {
 
 struct FibletBuffers {
-    gpu::Buffer params;      ///< shader::FibletLayerParams, then shader::FibletCounts
-    gpu::Buffer words;       ///< uint64[pixels]
-    gpu::Buffer tangents;    ///< uint64[pixels]
-    gpu::Buffer visible;     ///< one bit per fiblet
-    gpu::Buffer list;        ///< uint[max(fiblets, pixels)]
-    gpu::Buffer page_order;  ///< uint[pages]
-    gpu::Buffer pyramid;     ///< uint[]
+    gpu::Buffer params;                        ///< shader::FibletLayerParams, then shader::FibletCounts
+    gpu::Buffer words;                         ///< uint64[pixels]
+    gpu::Buffer tangents;                      ///< uint64[pixels]
+    gpu::Buffer visible;                       ///< one bit per fiblet
+    gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
+    gpu::Buffer page_order;                    ///< uint[pages]
+    gpu::Buffer pyramid;                       ///< uint[]
     std::vector<std::uint32_t> level_offsets;  ///< of the pyramid, in words, from level 1 on
     std::uint64_t scene_serial = 0;            ///< whose fiblets `visible` is about; 0: nobody's
     bool knows_visible = false;

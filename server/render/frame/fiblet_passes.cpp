@@ -43,8 +43,13 @@ struct SurfacePush {
 class FibletRun {
 public:
     FibletRun(PassRun& run, const plan::PassPlan& pass, FibletPace& pace)
-        : run_(run), pace_(pace), index_(static_cast<std::size_t>(pass.layer)), plan_(*run.list.plan->fiblets[index_]),
-          scene_(*run.list.layers[index_].tracts), own_(*run.target.fiblets[index_]), first_(pass.first),
+        : run_(run),
+          pace_(pace),
+          index_(static_cast<std::size_t>(pass.layer)),
+          plan_(*run.list.plan->fiblets[index_]),
+          scene_(*run.list.layers[index_].tracts),
+          own_(*run.target.fiblets[index_]),
+          first_(pass.first),
           suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
 
     void draw() {
@@ -101,7 +106,8 @@ private:
         run_.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
         if (fiblets == 0) return;
-        pace_.fiblets = std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
+        pace_.fiblets =
+            std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
     }
 
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
@@ -126,8 +132,7 @@ private:
             run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U});
         for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
             const std::uint32_t count = std::min(end - first, kPagesAtOnce);
-            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1,
-                                   CullPush{own_.layerAddress(), first, count});
+            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
         }
         submit(0);
     }
@@ -139,8 +144,8 @@ private:
             const glm::ivec2 half = (size + 1) / 2;
             run_.recorder.dispatch(run_.pipelines.get("fiblet_pyramid", {PassRun::kGroup, level == 0 ? 1U : 0U}),
                                    "fiblet pyramid" + suffix_,
-                                   PassRun::groups(static_cast<std::uint64_t>(half.x) * static_cast<std::uint64_t>(half.y)), 1, 1,
-                                   PyramidPush{own_.layerAddress(), source, own_.level_offsets[level], size});
+                                   PassRun::groups(static_cast<std::uint64_t>(half.x) * static_cast<std::uint64_t>(half.y)), 1,
+                                   1, PyramidPush{own_.layerAddress(), source, own_.level_offsets[level], size});
             size = half;
         }
     }
@@ -180,7 +185,8 @@ private:
                 run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
             }
             std::uint32_t first = 0;
-            const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
+            const std::span<const double> parts =
+                warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
             for (const double part : parts) {
                 const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
                 run_.checkCancelled();

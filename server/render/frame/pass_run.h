@@ -10,10 +10,10 @@
 #include "gpu/recorder.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
-#include "render/frame/pipelines.h"
-#include "render/frame/target.h"
 #include "render/fiblet/fiblet_scene.h"
 #include "render/fiblet/fibre_look.h"
+#include "render/frame/pipelines.h"
+#include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
 
 namespace radiata::render {

@@ -84,8 +84,8 @@ model::PickedFibre describeFibre(const DrawList& list, const shader::Surface& su
 model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
                                 const plan::Abilities& abilities) {
     if (radius_px < 0 || radius_px > model::kPickRadiusMax) {
-        throw Error(Code::kInvalidArgument, "the radius of a pick is " + std::to_string(radius_px) + " pixels; it must be 0 to " +
-                                                std::to_string(model::kPickRadiusMax));
+        throw Error(Code::kInvalidArgument, "the radius of a pick is " + std::to_string(radius_px) +
+                                                " pixels; it must be 0 to " + std::to_string(model::kPickRadiusMax));
     }
     if (x < 0 || y < 0 || x >= request.width || y >= request.height) {
         throw Error(Code::kInvalidArgument, "pixel " + std::to_string(x) + ", " + std::to_string(y) +

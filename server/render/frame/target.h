@@ -50,7 +50,7 @@ struct Target::Impl {
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
     std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
-    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
+    std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
