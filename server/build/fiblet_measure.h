@@ -26,6 +26,7 @@ struct FibletMeasures {
     double keptStepMm(double bound_um) const;
 };
 
+/// \throws Error(kInvalidArgument) naming fibre and point that is not finite, and as the source
 FibletMeasures measureTractogram(model::TractogramSource& source, const FibletProgress& progress);
 
 struct WalkChoice {
