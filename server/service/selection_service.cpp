@@ -1,6 +1,7 @@
 // Selecting fibres, and streaming them as files.
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
@@ -125,15 +126,16 @@ grpc::ServerWriteReactor<Bytes>* SelectionService::Export(Context*, const Bytes*
         checkSelection(message.selection());
         checkEnum(message.format(), v1::TractFormat_IsValid, v1::TractFormat_MAX, "format");
         if (message.format() == v1::TRACT_FORMAT_UNSPECIFIED) refuse("format is missing; it must be TCK or TRX");
-        exports_.post([this, call = call.get(), message] {
+        ExportCall* const kept = call.get();
+        exports_.post([this, kept, message] {
             try {
                 const std::string stem = "export";
                 const std::string ending = message.format() == v1::TRACT_FORMAT_TCK ? ".tck" : ".trx";
-                call->send(conductor_.backend().write_fibres(message.dataset_id(), message.selection(),
-                                                             call->folder() / (stem + ending)),
+                kept->send(conductor_.backend().write_fibres(message.dataset_id(), message.selection(),
+                                                             kept->folder() / (stem + ending)),
                            stem);
             } catch (...) {
-                call->refuse(currentStatus());
+                kept->refuse(currentStatus());
             }
         });
     } catch (...) {

@@ -79,6 +79,13 @@ model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set
     info.kind = model::DatasetKind::kTractogram;
     info.fibres = set.fibres();
     info.points = set.points;
+    for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
+    for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
+    for (const model::PointColumn& column : set.point_columns) {
+        if (column.component == 0) info.vertex_columns.push_back(column.name);
+    }
+    info.error_mean_um = set.errors.mean_um;
+    info.error_max_um = set.errors.max_um;
     glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
     for (const shader::FibletPage& page : set.pages) {
         low = glm::min(low, page.low);
@@ -187,7 +194,7 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         if (stemOf(folder_or_file).empty()) {
             throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
                                                 "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr) and no "
-                                                "tractogram (.tck, .trk, .trx, .tt, .vtk, .vtp, .gz of them, .fiblet)");
+                                                "tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
         }
         files.push_back(folder_or_file);
     } else {

@@ -8,7 +8,7 @@
 namespace radiata::tools {
 namespace {
 
-/// $XDG_CACHE_HOME/radiata/pipelines, or nothing where there is no home.
+/// $XDG_CACHE_HOME/radiata/NAME, or nothing where there is no home.
 std::filesystem::path defaultCache(const char* name) {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) {
         return std::filesystem::path(cache) / "radiata" / name;
