@@ -136,7 +136,24 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     quality.set_sun_table(options.sun_table);
     if (options.tensors.march.ByteSizeLong() > 0) *quality.mutable_tensor_march() = options.tensors.march;
     setTessellation(quality, options);
+    setFibreQuality(quality, options.fibres);
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
+}
+
+void addGlyphs(v1::Scene& scene, const RequestOptions& options) {
+    v1::Layer& layer = *scene.add_layers();
+    if (options.opacity) layer.set_opacity(*options.opacity);
+    if (options.no_casting) layer.set_casts_shadows(false);
+    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
+    glyphs.set_dataset_id(options.dataset);
+    setSelection(*glyphs.mutable_selection(), options);
+    glyphs.mutable_scale()->set_mode(options.scale);
+    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
+    if (options.lmax) glyphs.set_lmax(*options.lmax);
+    glyphs.set_negative_lobes(options.lobes);
+    setColour(glyphs, options);
+    setUncertainty(glyphs, options.uncertainty);
+    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
 }
 
 std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connection) {
@@ -148,7 +165,8 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     std::string only;
     int count = 0;
     for (const v1::Dataset& dataset : response.datasets()) {
-        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME) continue;  // colours glyphs and has none
+        // Volumes of numbers colour glyphs and have none; tractograms are named by --tracts.
+        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM) continue;
         ids += (ids.empty() ? "" : ", ") + dataset.id();
         only = dataset.id();
         ++count;
@@ -183,6 +201,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addVector(app, "--uniform-colour", options.uniform_colour, "Colour of --colour uniform, linear RGB 0 to 1 (default grey)")
         ->type_name("R,G,B");
     addTensorOptions(app, options.tensors);
+    addFibreOptions(app, options.fibres);
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
     addUncertaintyOptions(app, options.uncertainty);
     app.add_option("--isotropic", options.isotropic_part,
@@ -224,20 +243,10 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::FrameRequest request;
     setSize(request, options.size);
     v1::Scene& scene = *request.mutable_scene();
-    v1::Layer& layer = *scene.add_layers();
-    if (options.opacity) layer.set_opacity(*options.opacity);
-    if (options.no_casting) layer.set_casts_shadows(false);
-    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
-    glyphs.set_dataset_id(options.dataset);
-    setSelection(*glyphs.mutable_selection(), options);
-    glyphs.mutable_scale()->set_mode(options.scale);
-    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
-    if (options.lmax) glyphs.set_lmax(*options.lmax);
-    glyphs.set_negative_lobes(options.lobes);
-    setColour(glyphs, options);
+    addFibres(scene, options.fibres);
+    // A tractogram may stand alone.
+    if (options.fibres.dataset.empty() || !options.dataset.empty()) addGlyphs(scene, options);
     setLight(*scene.mutable_light(), options.light);
-    setUncertainty(glyphs, options.uncertainty);
-    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);
@@ -248,12 +257,18 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
 
 void completeRequest(v1::FrameRequest& request, const Connection& connection) {
     const auto stub = v1::CatalogService::NewStub(connection.channel());
-    v1::GlyphLayer& glyphs = glyphsOf(*request.mutable_scene()->mutable_layers(0));
-    if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
-    if (request.has_camera()) return;
     v1::FitCameraRequest fit;
-    fit.set_dataset_id(glyphs.dataset_id());
-    *fit.mutable_selection() = glyphs.selection();
+    for (v1::Layer& layer : *request.mutable_scene()->mutable_layers()) {
+        if (layer.has_tractogram()) {
+            if (fit.dataset_id().empty()) fit.set_dataset_id(layer.tractogram().dataset_id());
+            continue;
+        }
+        v1::GlyphLayer& glyphs = glyphsOf(layer);
+        if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
+        fit.set_dataset_id(glyphs.dataset_id());
+        *fit.mutable_selection() = glyphs.selection();
+    }
+    if (request.has_camera()) return;
     fit.set_convention(request.scene().annotations().convention());
     // Kept within what FitCamera takes, so that an impossible size is refused where the picture is asked for, as a size.
     fit.set_aspect(std::clamp(static_cast<double>(request.width()) / std::max(request.height(), 1U), 0.05, 20.0));

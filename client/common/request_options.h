@@ -12,6 +12,7 @@
 #include "radiata/v1/frame.pb.h"
 
 #include "common/connection.h"
+#include "common/fibre_options.h"
 #include "common/light_options.h"
 #include "common/tensor_options.h"
 #include "common/uncertainty_options.h"
@@ -37,6 +38,7 @@ struct RequestOptions {
     std::string colour_image;
     std::vector<double> uniform_colour;
     TensorOptions tensors;
+    FibreOptions fibres;
     std::optional<float> opacity;
     UncertaintyOptions uncertainty;
     std::optional<float> isotropic_part;

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "math/colour_map.h"
+#include "model/tractogram_layer.h"
 
 namespace radiata::model {
 
@@ -81,12 +82,6 @@ struct GlyphLayer {
     std::optional<Uncertainty> uncertainty;
     float isotropic_part = 0;  ///< added in all directions, in units of the dataset's typical amplitude
     bool operator==(const GlyphLayer&) const = default;
-};
-
-/// Streamlines of a tractogram.
-struct TractogramLayer {
-    std::string dataset_id;
-    bool operator==(const TractogramLayer&) const = default;
 };
 
 /// The surface of one value of a scalar volume.

@@ -2,6 +2,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "math/cartesian_tensor.h"
+#include "math/sh_layout.h"
 #include "service/convert.h"
 
 namespace radiata::service {
@@ -89,9 +91,10 @@ v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs) {
 v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
-    message.set_kind(info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
-                     : info.tensor_order > 0                        ? v1::DATASET_KIND_TENSOR_IMAGE
-                                                                    : v1::DATASET_KIND_SH_IMAGE);
+    message.set_kind(info.kind == model::DatasetKind::kTractogram     ? v1::DATASET_KIND_TRACTOGRAM
+                     : info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
+                     : info.tensor_order > 0                          ? v1::DATASET_KIND_TENSOR_IMAGE
+                                                                      : v1::DATASET_KIND_SH_IMAGE);
     message.set_tensor_order(static_cast<std::uint32_t>(info.tensor_order));
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {
@@ -103,6 +106,8 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
         message.set_convention(info.tensor_order > 0 ? info.tensor_format : std::string(name(info.convention)));
         message.set_axes(std::string(name(info.axes)));
     }
+    message.set_fibres(info.fibres);
+    message.set_points(info.points);
     message.set_value_min(info.value_min);
     message.set_value_max(info.value_max);
     message.set_glyph_count(info.glyph_count);
@@ -123,6 +128,8 @@ v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backen
     message.set_mesh_vertices_max(static_cast<std::uint32_t>(model::kMeshVerticesMax));
     message.set_layer_triangles_max(model::kLayerTrianglesMax);
     message.set_ray_march_steps_max(static_cast<std::uint32_t>(limits.ray_march_steps_max));
+    message.set_band_max(static_cast<std::uint32_t>(kLmaxLimit));
+    message.set_tensor_order_max(static_cast<std::uint32_t>(kTensorOrderMax));
     message.set_samples_max(static_cast<std::uint32_t>(limits.samples_max));
     message.set_layers_max(static_cast<std::uint32_t>(limits.layers_max));
     message.set_views_max(static_cast<std::uint32_t>(limits.views_max));

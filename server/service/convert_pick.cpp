@@ -3,8 +3,9 @@
 
 namespace radiata::service {
 
-v1::PickResponse toProto(const model::PickedGlyph& picked) {
-    v1::PickResponse message;
+namespace {
+
+void setPicked(const model::PickedGlyph& picked, v1::PickResponse& message) {
     v1::PickedGlyph& glyph = *message.mutable_glyph();
     glyph.set_layer(static_cast<std::uint32_t>(picked.layer));
     glyph.set_dataset_id(picked.dataset_id);
@@ -21,6 +22,31 @@ v1::PickResponse toProto(const model::PickedGlyph& picked) {
         *added.mutable_direction() = toProto(peak.direction);
         added.set_amplitude(peak.amplitude);
     }
+}
+
+void setPicked(const model::PickedFibre& picked, v1::PickResponse& message) {
+    v1::PickedFibre& fibre = *message.mutable_fibre();
+    fibre.set_layer(static_cast<std::uint32_t>(picked.layer));
+    fibre.set_dataset_id(picked.dataset_id);
+    fibre.set_fibre(picked.fibre);
+    fibre.set_point(picked.point);
+    *fibre.mutable_position_mm() = toProto(picked.position_mm);
+    *fibre.mutable_tangent() = toProto(picked.tangent);
+    fibre.set_length_mm(picked.length_mm);
+    fibre.set_distance_px(picked.distance_px);
+    for (const std::string& group : picked.groups) fibre.add_groups(group);
+    for (const model::FibreValue& value : picked.values) {
+        v1::FibreValue& added = *fibre.add_values();
+        added.set_column(value.column);
+        for (const float number : value.numbers) added.add_numbers(number);
+    }
+}
+
+}  // namespace
+
+v1::PickResponse toProto(const model::Picked& picked) {
+    v1::PickResponse message;
+    std::visit([&message](const auto& kind) { setPicked(kind, message); }, picked);
     return message;
 }
 

@@ -14,6 +14,7 @@
 #include "io/sh_options.h"
 #include "io/tensor_options.h"
 #include "model/dataset.h"
+#include "model/fiblet_set.h"
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
 
@@ -42,6 +43,7 @@ public:
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
     void add(const std::string& id, model::ShImage image);
     void add(const std::string& id, model::ScalarImage image);
+    void add(const std::string& id, model::FibletSet fiblets);
 
     /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
     /// one whose header cannot be read has size 0.
@@ -52,6 +54,7 @@ public:
     /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
     std::shared_ptr<const ScalarDataset> scalars(const std::string& id);
+    std::shared_ptr<const model::FibletSet> fiblets(const std::string& id);
 
 private:
     struct Impl;

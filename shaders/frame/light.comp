@@ -6,6 +6,7 @@
 #include "shaders/shared/uncertainty.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/frame/base_colour.glsl"
+#include "shaders/frame/fibre_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
 #include "shaders/common/medium.glsl"
 
@@ -52,8 +53,13 @@ void main() {
         const LayerLook look = push.looks.at[surface.layer_and_steps >> 24u];
         vec3 base = vec3(0.5);
         if (isKind(look, LAYER_GLYPHS)) base = glyphColour(frame, look, surface.who, ray, surface.depth);
-        const vec3 lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
-        radiance = mix(radiance, lit, look.opacity);
+        bool line = false;
+        float dimmed = 1.0;
+        if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
+        vec3 lit;
+        if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        radiance = mix(radiance, dimmed * lit, look.opacity);
     }
     if (kMedia) {
         const Medium medium = push.media.at[at];

@@ -46,6 +46,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runGlyphMesh(pass_run, pass, mesh_size_);
         case plan::PassKind::kRasterSurface:
             return runRasterSurface(pass_run, pass);
+        case plan::PassKind::kFiblets:
+            return runFiblets(pass_run, pass, fiblet_pace_);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:

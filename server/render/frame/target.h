@@ -31,6 +31,7 @@ struct UncertaintyBuffers {
     std::vector<LayerBuffers> layers;
 };
 struct RasterBuffers;
+struct FibletBuffers;
 
 struct Target::Impl {
     Impl();
@@ -48,7 +49,8 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
-    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
+    std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
+    std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);

@@ -12,6 +12,8 @@ const std::vector<Experiment>& experiments() {
         {"glyph-pareto", "one glyph by every method and setting: time against error, with the Pareto front", glyphPareto},
         {"peters-bounds", "Peters et al. 2023, Sec. 4.2: boxes by search and margin, and certified ones; time per glyph",
          petersBounds},
+        {"peters-table1", "Peters et al. 2023, Table 1: 19,600 glyphs by each method, in cylinder boxes and tight ones",
+         petersTable1},
         {"peters-fig1", "Peters et al. 2023, Fig. 1: one glyph close by in soft light, and a whole slice", petersFig1},
         {"peters-fig3", "Peters et al. 2023, Fig. 3: roots in the ray parameter and in the turned frame, single precision",
          petersFig3},
@@ -19,6 +21,8 @@ const std::vector<Experiment>& experiments() {
          petersFig4},
         {"peters-fig5", "Peters et al. 2023, Fig. 5: what uncertainty adds to the glyph passes, in whole and in a close-up",
          petersFig5},
+        {"peters-fig6", "Peters et al. 2023, Fig. 6: what the number of steps of ray marching does to small features",
+         petersFig6},
         {"peters-fig7", "Peters et al. 2023, Fig. 7: one glyph truncated at bands 2 to 16", petersFig7},
         {"hlawitschka-table1", "Hlawitschka et al., Table 1: frames per second over step and refinement", hlawitschkaTable1},
         {"hlawitschka-table2", "Hlawitschka et al., Table 2: grids of triangles against ray casting, 258 glyphs",
@@ -31,6 +35,8 @@ const std::vector<Experiment>& experiments() {
          fibletCodec},
         {"schertzer-table1", "Schertzer et al. 2022, Table 1: sizes and errors of fiblets, the paper's layout and QFib",
          schertzerTable1},
+        {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
+         fibletScaling},
     };
     return kAll;
 }
