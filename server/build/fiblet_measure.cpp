@@ -50,7 +50,8 @@ FibletMeasures measureTractogram(model::TractogramSource& source, const FibletPr
                 const auto bad = std::find_if(p.begin(), p.end(), [](glm::vec3 q) { return !std::isfinite(q.x + q.y + q.z); });
                 if (bad != p.end()) {
                     throw Error(Code::kInvalidArgument, source.header().source + ": point " + std::to_string(bad - p.begin()) +
-                                                            " of fibre " + std::to_string(batch.first_fibre + f) + " is not finite");
+                                                            " of fibre " + std::to_string(batch.first_fibre + f) +
+                                                            " is not finite");
                 }
                 if (p.size() > 1)
                     last = std::max(last, glm::distance(glm::dvec3(p[p.size() - 1]), glm::dvec3(p[p.size() - 2])));
