@@ -25,7 +25,9 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                          media ? 1U : 0U,
                                          run.list.plan->layer_kinds,
                                          run.list.plan->fibre_colours,
-                                         veil ? 1U : 0U};
+                                         veil ? 1U : 0U,
+                                         run.list.plan->fibre_occlusion ? 1U : 0U,
+                                         run.list.plan->fibre_halos ? 1U : 0U};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;

@@ -111,6 +111,9 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     if (!abilities.bvh && !abilities.ray_query) {
         throw Error(Code::kUnsupported, "picks need ray queries or a hierarchy; neither passed this device's self-test");
     }
+    if (request.quality.frozen_culling) {
+        throw Error(Code::kUnsupported, "picks do not know which fibres quality.frozen_culling leaves out; draw without it");
+    }
     model::FrameRequest pixel = request;
     pixel.quality = {};
     pixel.quality.samples = 1;
@@ -144,7 +147,7 @@ std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Targ
         return surfaces[static_cast<std::size_t>((dy + radius) * size + dx + radius)];
     };
     const shader::Surface& middle = at(0, 0);
-    if (middle.who != kNobody && layerOf(middle).glyphs) return describe(list, middle);
+    if (middle.who != kNobody && layerOf(middle).glyphs) return describeGlyph(list, middle);
     if (middle.who != kNobody && layerOf(middle).volume) return describeSurface(list, middle);
     glm::ivec2 best(0);
     bool found = false;
