@@ -47,6 +47,12 @@ FibletMeasures measureTractogram(model::TractogramSource& source, const FibletPr
             double last = 0, turn = 0;
             for (std::size_t f = begin; f < end; ++f) {
                 const std::span<const glm::vec3> p = batch.fibre(f);
+                const auto bad = std::find_if(p.begin(), p.end(), [](glm::vec3 q) { return !std::isfinite(q.x + q.y + q.z); });
+                if (bad != p.end()) {
+                    throw Error(Code::kInvalidArgument, source.header().source + ": point " + std::to_string(bad - p.begin()) +
+                                                            " of fibre " + std::to_string(batch.first_fibre + f) +
+                                                            " is not finite");
+                }
                 if (p.size() > 1)
                     last = std::max(last, glm::distance(glm::dvec3(p[p.size() - 1]), glm::dvec3(p[p.size() - 2])));
                 for (std::size_t i = 2; i < p.size(); ++i) {
@@ -75,7 +81,17 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
     const double segments = double(std::max<std::uint64_t>(measures.all.segments, 1));
     const double mean = measures.all.length_mm > 0 ? measures.all.length_mm / segments : 1;
     std::vector<Trial> trials;
-    for (int i = 0; i < (step_mm > 0 ? 1 : kSteps); ++i) trials.push_back({step_mm > 0 ? step_mm : mean * std::exp2(-0.5 * i)});
+    for (int i = 0; i < (step_mm > 0 ? 1 : kSteps); ++i) {
+        const double step = step_mm > 0 ? step_mm : mean * std::exp2(-0.5 * i);
+        const double most = double(shader::FIBLET_SEGMENTS) * model::kFibletsPerFibre;
+        if (measures.all.longest_fibre_mm / step < most - 1) {
+            trials.push_back({step});
+        } else if (i == 0) {
+            throw Error(Code::kInvalidArgument, source.header().source + ": the longest fibre has " +
+                                                    std::to_string(measures.all.longest_fibre_mm) + " mm; steps of " +
+                                                    std::to_string(step) + " mm would be more than " + std::to_string(most));
+        }
+    }
     model::FibreBatch batch;
     std::mutex mutex;
     while (source.read(batch, kBatchPoints)) {

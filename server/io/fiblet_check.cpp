@@ -20,7 +20,10 @@ public:
         for (const float ratio : codec.cap_ratio)
             require(ratio > 0 && ratio <= 2, "a cap has the ratio " + std::to_string(ratio));
         const glm::dvec3 o = set_.origin_mm;
-        require(std::isfinite(o.x + o.y + o.z), "the origin is not finite");
+        const double most = model::kCoordinateMaxMm;
+        require(std::abs(o.x) <= most && std::abs(o.y) <= most && std::abs(o.z) <= most && double(codec.step_mm) <= most &&
+                    double(codec.cell_mm) * model::kFibletCellMax <= 2.01 * most,
+                "points lie farther than " + std::to_string(most) + " mm from the scanner's centre");
     }
 
     void pages() const {

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 /// The first byte is no text, and the line ends show a transfer that changed them.
 inline constexpr std::array<unsigned char, 8> kMagic{0x89, 'F', 'I', 'B', 'L', 'T', '\r', '\n'};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::uint32_t kSectionsMax = 65536, kNameMax = 1024;
+inline constexpr std::uint32_t kSectionsMax = 65536, kNameMax = 1024, kComponentsMax = 4096;
 inline constexpr std::uint64_t kAlignment = 64;
 
 struct Header {

@@ -173,6 +173,7 @@ private:
                 break;
             case kFibreColumn: {
                 auto [name, components] = bytes.takeName();
+                checkComponents(name, components);
                 const std::uint64_t count = checkedMultiply(fibres, components, name_);
                 set.fibre_columns.push_back({std::move(name), components, bytes.take<float>(count, "a fibre column")});
                 break;
@@ -193,6 +194,13 @@ private:
         }
     }
 
+    void checkComponents(const std::string& column, std::uint32_t components) const {
+        if (components == 0 || components > kComponentsMax) {
+            fail("column '" + column + "' says that it has " + std::to_string(components) +
+                 " components; it would have to be 1 to " + std::to_string(kComponentsMax));
+        }
+    }
+
     model::FibreGroup takeGroup(Bytes& bytes) const {
         model::FibreGroup group;
         auto [name, columns] = bytes.takeName();
@@ -208,6 +216,7 @@ private:
         }
         for (std::uint32_t c = 0; c < columns; ++c) {
             auto [column, components] = bytes.takeName();
+            checkComponents(column, components);
             group.values.push_back(bytes.take<float>(components, "a group's values"));
             bytes.skipToMultipleOf8(4 * std::uint64_t(components));
             group.columns.push_back({std::move(column), int(components)});
