@@ -136,7 +136,7 @@ FibreBits FibreSelector::select(const model::Selection& selection) {
     return bits;
 }
 
-std::shared_ptr<const std::vector<std::uint8_t>> FibreSelector::flagsOf(const model::RegionOfInterest& region) {
+std::shared_ptr<const std::vector<std::uint8_t>> FibreSelector::flagsOf(const model::FibreRegion& region) {
     const std::string key = model::regionText(region);
     {
         std::lock_guard lock(mutex_);
@@ -166,7 +166,7 @@ FibreBits FibreSelector::inRegion(const model::Selection& selection) {
 FibreBits FibreSelector::ordered(const model::Selection& selection) {
     FibreBits bits(set_->fibres(), true);
     std::vector<std::unique_ptr<RegionVolume>> volumes;
-    for (const model::RegionOfInterest& region : selection.regions) {
+    for (const model::FibreRegion& region : selection.regions) {
         const auto flags = flagsOf(region);
         bits &= bitsWhere(flags->size(), [&](std::uint64_t f) { return accepts(model::RegionMode::kAny, (*flags)[f]); });
         volumes.push_back(regionVolume(region, masks_));

@@ -55,7 +55,7 @@ private:
         std::shared_ptr<const std::vector<std::uint8_t>> flags;  ///< FibreRegionFlag, per fibre
         std::uint64_t used = 0;
     };
-    std::shared_ptr<const std::vector<std::uint8_t>> flagsOf(const model::RegionOfInterest& region);
+    std::shared_ptr<const std::vector<std::uint8_t>> flagsOf(const model::FibreRegion& region);
     FibreBits inRegion(const model::Selection& selection);
     FibreBits ordered(const model::Selection& selection);
     FibreBits byLength(const model::Selection& selection);

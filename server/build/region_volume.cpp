@@ -32,7 +32,7 @@ protected:
 
 class Ellipsoid : public Convex {
 public:
-    explicit Ellipsoid(const model::RegionOfInterest& region) : centre_(region.centre), to_ball_(glm::inverse(region.axes)) {
+    explicit Ellipsoid(const model::FibreRegion& region) : centre_(region.centre), to_ball_(glm::inverse(region.axes)) {
         for (int i = 0; i < 3; ++i) {
             half_[i] = glm::length(glm::dvec3(region.axes[0][i], region.axes[1][i], region.axes[2][i]));
         }
@@ -73,7 +73,7 @@ private:
 
 class Box : public Convex {
 public:
-    explicit Box(const model::RegionOfInterest& region) : low_(region.centre), high_(region.high) {}
+    explicit Box(const model::FibreRegion& region) : low_(region.centre), high_(region.high) {}
 
     bool contains(const glm::dvec3& p) const override {
         return p.x >= low_.x && p.y >= low_.y && p.z >= low_.z && p.x <= high_.x && p.y <= high_.y && p.z <= high_.z;
@@ -105,7 +105,7 @@ private:
 
 class HalfSpace : public Convex {
 public:
-    explicit HalfSpace(const model::RegionOfInterest& region) : point_(region.centre), normal_(glm::normalize(region.high)) {}
+    explicit HalfSpace(const model::FibreRegion& region) : point_(region.centre), normal_(glm::normalize(region.high)) {}
 
     bool contains(const glm::dvec3& p) const override { return glm::dot(p - point_, normal_) <= 0; }
     bool meets(const glm::dvec3& a, const glm::dvec3& b) const override { return contains(a) || contains(b); }
@@ -124,7 +124,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RegionVolume> regionVolume(const model::RegionOfInterest& region, const MaskLookup& masks) {
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks) {
     switch (region.shape) {
         case model::RegionShape::kBox:
             return std::make_unique<Box>(region);

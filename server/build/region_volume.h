@@ -28,7 +28,7 @@ public:
 using MaskLookup = std::function<std::shared_ptr<const model::ScalarImage>(const std::string& dataset)>;
 
 /// \throws as masks()
-std::unique_ptr<RegionVolume> regionVolume(const model::RegionOfInterest& region, const MaskLookup& masks);
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks);
 
 /// Voxels with a value above the threshold, each with all the space that is nearest to its centre along the voxel axes.
 std::unique_ptr<RegionVolume> maskVolume(const model::ScalarImage& image, double threshold);

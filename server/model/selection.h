@@ -19,14 +19,14 @@ enum class RegionShape {
 };
 
 /// A part of space, world mm, RAS.
-struct RegionOfInterest {
+struct FibreRegion {
     RegionShape shape = RegionShape::kEllipsoid;
     glm::dvec3 centre{0};  ///< of an ellipsoid; low corner of a box; point of a half space
     glm::dmat3 axes{1.0};  ///< of an ellipsoid: columns are its three half axes, in any directions that span space
     glm::dvec3 high{0};    ///< high corner of a box; normal of a half space, of any length but 0
     std::string dataset;   ///< of a mask: catalogue id of a scalar volume
     double threshold = 0.5;
-    bool operator==(const RegionOfInterest&) const = default;
+    bool operator==(const FibreRegion&) const = default;
 };
 
 /// How much of a fibre's line (its segments, not its points alone) must lie in a region.
@@ -52,7 +52,7 @@ struct Selection {
     };
     Kind kind = Kind::kEverything;
     RegionMode mode = RegionMode::kAny;
-    std::vector<RegionOfInterest> regions;
+    std::vector<FibreRegion> regions;
     std::string name;
     ColumnPart part = ColumnPart::kMean;
     double low = -std::numeric_limits<double>::infinity(), high = std::numeric_limits<double>::infinity();

@@ -265,8 +265,8 @@ private:
         return selection;
     }
 
-    RegionOfInterest region() {
-        RegionOfInterest region;
+    FibreRegion region() {
+        FibreRegion region;
         if (takeWord("mask")) {
             region.shape = RegionShape::kMask;
             require('(');
@@ -309,7 +309,7 @@ private:
         fail(form);
     }
 
-    void ellipsoid(RegionOfInterest& region) {
+    void ellipsoid(FibreRegion& region) {
         const std::vector<double> n = numbersOf(6, 12, "ellipsoid(x, y, z, a, b, c) or one with three half axes");
         region.centre = {n[0], n[1], n[2]};
         if (n.size() == 6) {
@@ -337,7 +337,7 @@ std::string exact(const glm::dvec3& v) { return exact(v.x) + "," + exact(v.y) + 
 
 Selection parseSelection(std::string_view text) { return Parser(text).parse(); }
 
-std::string regionText(const RegionOfInterest& region) {
+std::string regionText(const FibreRegion& region) {
     switch (region.shape) {
         case RegionShape::kEllipsoid:
             return "ellipsoid(" + exact(region.centre) + "," + exact(region.axes[0]) + "," + exact(region.axes[1]) + "," +

@@ -23,6 +23,6 @@ namespace radiata::model {
 Selection parseSelection(std::string_view text);
 
 /// The same region in the same text whatever way it was written; numbers keep all their bits.
-std::string regionText(const RegionOfInterest& region);
+std::string regionText(const FibreRegion& region);
 
 }  // namespace radiata::model

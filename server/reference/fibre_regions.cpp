@@ -16,7 +16,7 @@ std::vector<Interval> clipped(double low, double high) {
 }
 
 /// |M (a + t (b - a) - c)|^2 = 1 solved for t.
-std::vector<Interval> inEllipsoid(const model::RegionOfInterest& region, const glm::dvec3& a, const glm::dvec3& b) {
+std::vector<Interval> inEllipsoid(const model::FibreRegion& region, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dmat3 quadric = glm::inverse(region.axes * glm::transpose(region.axes));
     const glm::dvec3 o = a - region.centre, d = b - a;
     const double qa = glm::dot(d, quadric * d), qb = glm::dot(o, quadric * d), qc = glm::dot(o, quadric * o) - 1;
@@ -40,7 +40,7 @@ std::vector<Interval> inHalfSpaces(const std::vector<std::pair<glm::dvec3, glm::
     return clipped(low, high);
 }
 
-std::vector<Interval> inBox(const model::RegionOfInterest& region, const glm::dvec3& a, const glm::dvec3& b) {
+std::vector<Interval> inBox(const model::FibreRegion& region, const glm::dvec3& a, const glm::dvec3& b) {
     std::vector<std::pair<glm::dvec3, glm::dvec3>> sides;
     for (int i = 0; i < 3; ++i) {
         glm::dvec3 normal(0);
@@ -51,7 +51,7 @@ std::vector<Interval> inBox(const model::RegionOfInterest& region, const glm::dv
     return inHalfSpaces(sides, a, b);
 }
 
-bool inMask(const model::RegionOfInterest& region, const model::ScalarImage& mask, const glm::dvec3& voxel) {
+bool inMask(const model::FibreRegion& region, const model::ScalarImage& mask, const glm::dvec3& voxel) {
     glm::ivec3 nearest;
     for (int i = 0; i < 3; ++i) {
         nearest[i] = static_cast<int>(std::lround(voxel[i]));
@@ -60,7 +60,7 @@ bool inMask(const model::RegionOfInterest& region, const model::ScalarImage& mas
     return mask.at(nearest) > region.threshold;
 }
 
-std::vector<Interval> inVoxels(const model::RegionOfInterest& region, const model::ScalarImage& mask, const glm::dvec3& a,
+std::vector<Interval> inVoxels(const model::FibreRegion& region, const model::ScalarImage& mask, const glm::dvec3& a,
                                const glm::dvec3& b) {
     const glm::dmat4 to_voxel = glm::inverse(mask.voxel_to_world);
     const glm::dvec3 va(to_voxel * glm::dvec4(a, 1)), vb(to_voxel * glm::dvec4(b, 1));
@@ -87,7 +87,7 @@ std::vector<Interval> inVoxels(const model::RegionOfInterest& region, const mode
 
 }  // namespace
 
-std::vector<Interval> insideIntervals(const model::RegionOfInterest& region, const model::ScalarImage* mask, const glm::dvec3& a,
+std::vector<Interval> insideIntervals(const model::FibreRegion& region, const model::ScalarImage* mask, const glm::dvec3& a,
                                       const glm::dvec3& b) {
     switch (region.shape) {
         case model::RegionShape::kEllipsoid:
@@ -102,7 +102,8 @@ std::vector<Interval> insideIntervals(const model::RegionOfInterest& region, con
     return inVoxels(region, *mask, a, b);
 }
 
-FibreInRegion fibreInRegion(const model::RegionOfInterest& region, const model::ScalarImage* mask, std::span<const glm::dvec3> points) {
+FibreInRegion fibreInRegion(const model::FibreRegion& region, const model::ScalarImage* mask,
+                            std::span<const glm::dvec3> points) {
     FibreInRegion found;
     if (points.empty()) return found;
     for (std::size_t i = 0; i < std::max<std::size_t>(points.size(), 2) - 1; ++i) {

@@ -17,7 +17,7 @@ namespace radiata::reference {
 
 /// Parts of a segment inside a region, as ascending intervals of its parameter from 0 to 1.
 /// \param mask  of kMask regions
-std::vector<std::pair<double, double>> insideIntervals(const model::RegionOfInterest& region, const model::ScalarImage* mask,
+std::vector<std::pair<double, double>> insideIntervals(const model::FibreRegion& region, const model::ScalarImage* mask,
                                                        const glm::dvec3& a, const glm::dvec3& b);
 
 struct FibreInRegion {
@@ -25,6 +25,7 @@ struct FibreInRegion {
 };
 
 /// \param points  of one fibre, world mm; none gives nothing
-FibreInRegion fibreInRegion(const model::RegionOfInterest& region, const model::ScalarImage* mask, std::span<const glm::dvec3> points);
+FibreInRegion fibreInRegion(const model::FibreRegion& region, const model::ScalarImage* mask,
+                            std::span<const glm::dvec3> points);
 
 }  // namespace radiata::reference

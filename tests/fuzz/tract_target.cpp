@@ -88,7 +88,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     try {
         if (choice == std::size(kEndings)) {
             const model::Selection selection = model::parseSelection(rest);
-            for (const model::Region& region : selection.regions)
+            for (const model::FibreRegion& region : selection.regions)
                 require(!model::regionText(region).empty(), "a region's text");
             return 0;
         }

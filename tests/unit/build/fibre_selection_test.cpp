@@ -90,7 +90,7 @@ TEST_F(FibreSelection, EveryRegionAndModeIsThatOfBruteForce) {
                                            "mask(blobs, 2)"};
     for (const std::string& text : regions) {
         SCOPED_TRACE(text);
-        const model::RegionOfInterest region = model::parseSelection(text).regions.at(0);
+        const model::FibreRegion region = model::parseSelection(text).regions.at(0);
         const FibreBits any = select("any " + text), all = select("all " + text), either = select("either_end " + text),
                         both = select("both_ends " + text);
         std::size_t in = 0;
@@ -120,7 +120,7 @@ TEST_F(FibreSelection, OrderIsThatOfTheFirstMeetingsFromOneEndOrTheOther) {
             if (turned) std::reverse(points.begin(), points.end());
             std::size_t at = 0;
             bool all = !points.empty();
-            for (const model::RegionOfInterest& region : selection.regions) {
+            for (const model::FibreRegion& region : selection.regions) {
                 while (at + 1 < points.size() &&
                        reference::insideIntervals(region, nullptr, points[at], points[at + 1]).empty())
                     ++at;

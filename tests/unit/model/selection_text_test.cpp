@@ -95,7 +95,7 @@ TEST(SelectionText, AnyTextIsReadOrRefused) {
 
 TEST(SelectionText, ARegionsTextNamesItExactly) {
     for (const char* text : {"sphere(0.1, 2, 3, 4)", "box(0,0,0,1,1,1e-9)", "plane(1,2,3,0,0,0.3)", "mask(\"a b\", 0.7)"}) {
-        const RegionOfInterest region = parseSelection(text).regions.at(0);
+        const FibreRegion region = parseSelection(text).regions.at(0);
         EXPECT_EQ(parseSelection(regionText(region)).regions.at(0), region) << text;
     }
     EXPECT_NE(regionText(parseSelection("sphere(0,0,0,1)").regions[0]),
