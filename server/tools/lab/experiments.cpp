@@ -31,6 +31,10 @@ const std::vector<Experiment>& experiments() {
         {"hlawitschka-fig2", "Hlawitschka et al., Fig. 2: the gap at the centre and what closes it", hlawitschkaFig2},
         {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",
          hlawitschkaFig5},
+        {"fiblet-codec", "fiblets: bytes a point, errors and encoding speed by width of the search, bits and bound",
+         fibletCodec},
+        {"schertzer-table1", "Schertzer et al. 2022, Table 1: sizes and errors of fiblets, the paper's layout and QFib",
+         schertzerTable1},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
     };

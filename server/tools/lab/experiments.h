@@ -21,6 +21,8 @@ Report hlawitschkaTable2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig1(gpu::Device& device, const Options& options);
 Report hlawitschkaFig2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig5(gpu::Device& device, const Options& options);
+Report fibletCodec(gpu::Device& device, const Options& options);
+Report schertzerTable1(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
