@@ -31,6 +31,7 @@ struct UncertaintyBuffers {
     std::vector<LayerBuffers> layers;
 };
 struct RasterBuffers;
+struct FibletBuffers;
 
 struct Target::Impl {
     Impl();
@@ -50,7 +51,8 @@ struct Target::Impl {
     UncertaintyBuffers uncertainty;
     gpu::Buffer isosurfaces;  ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
     gpu::Buffer veil;         ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
-    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
+    std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
+    std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
