@@ -34,6 +34,10 @@ const std::vector<Experiment>& experiments() {
         {"isosurface-hits", "the cubic on four million chords; primary rays with and without bricks, exact and marched",
          isosurfaceHits},
         {"wyman-fig5", "Wyman et al. 2006, Fig. 5: normals of the trilinear cell and of the smoothing spline", wymanFig5},
+        {"fiblet-codec", "fiblets: bytes a point, errors and encoding speed by width of the search, bits and bound",
+         fibletCodec},
+        {"schertzer-table1", "Schertzer et al. 2022, Table 1: sizes and errors of fiblets, the paper's layout and QFib",
+         schertzerTable1},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
     };

@@ -23,6 +23,8 @@ Report hlawitschkaFig2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig5(gpu::Device& device, const Options& options);
 Report isosurfaceHits(gpu::Device& device, const Options& options);
 Report wymanFig5(gpu::Device& device, const Options& options);
+Report fibletCodec(gpu::Device& device, const Options& options);
+Report schertzerTable1(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
