@@ -1,5 +1,7 @@
 #include "io/byte_source.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
@@ -19,7 +21,7 @@ constexpr std::uint64_t kDeflateRatioMax = 1032;        // zlib's technical note
 
 }  // namespace
 
-ByteSource::ByteSource(const std::filesystem::path& path) : path_(path) {
+ByteSource::ByteSource(const std::filesystem::path& path, Packing packing, std::uint64_t begin) : path_(path) {
     std::error_code failure;
     if (!std::filesystem::is_regular_file(path, failure)) {
         throw Error(Code::kNotFound, name() + ": there is no regular file of this name; an image must be one");
@@ -28,17 +30,29 @@ ByteSource::ByteSource(const std::filesystem::path& path) : path_(path) {
     if (failure) throw Error(Code::kUnavailable, name() + ": its size cannot be read (" + failure.message() + ")");
     if (file_bytes_ == 0) throw Error(Code::kCorrupt, name() + ": the file is empty (0 bytes); an image has a header");
 
-    if (path.extension() == ".gz") {
-        compressed_.reset(gzopen(path.c_str(), "rb"));
-        if (!compressed_) throw Error(Code::kUnavailable, name() + ": cannot be opened (" + std::strerror(errno) + ")");
-        gzbuffer(compressed_.get(), kGzipBufferBytes);
-        if (gzdirect(compressed_.get()) != 0) {
-            throw Error(Code::kCorrupt,
-                        name() + ": the name ends in .gz but the content is not gzip (it must begin with 1f 8b)");
-        }
-    } else {
-        plain_.reset(std::fopen(path.c_str(), "rbe"));
-        if (!plain_) throw Error(Code::kUnavailable, name() + ": cannot be opened (" + std::strerror(errno) + ")");
+    if (begin >= file_bytes_) {
+        throw Error(Code::kCorrupt, name() + ": the data should begin at byte " + std::to_string(begin) + ", the file has " +
+                                        std::to_string(file_bytes_) + " bytes");
+    }
+    file_bytes_ -= begin;
+    plain_.reset(std::fopen(path.c_str(), "rbe"));
+    if (!plain_ || fseeko(plain_.get(), static_cast<off_t>(begin), SEEK_SET) != 0) {
+        throw Error(Code::kUnavailable, name() + ": cannot be opened (" + std::strerror(errno) + ")");
+    }
+    if (packing == Packing::kPlain || (packing == Packing::kByName && path.extension() != ".gz")) return;
+    // zlib takes a descriptor of its own, which stands where the file does.
+    const int descriptor = dup(fileno(plain_.get()));
+    if (descriptor >= 0 && lseek(descriptor, static_cast<off_t>(begin), SEEK_SET) >= 0) {
+        compressed_.reset(gzdopen(descriptor, "rb"));
+    }
+    if (!compressed_) {
+        if (descriptor >= 0) close(descriptor);
+        throw Error(Code::kUnavailable, name() + ": cannot be opened (" + std::strerror(errno) + ")");
+    }
+    gzbuffer(compressed_.get(), kGzipBufferBytes);
+    if (gzdirect(compressed_.get()) != 0) {
+        const std::string why = packing == Packing::kByName ? "the name ends in .gz" : "the header says gzip";
+        throw Error(Code::kCorrupt, name() + ": " + why + " but the content is not gzip (it must begin with 1f 8b)");
     }
 }
 

@@ -12,13 +12,22 @@
 
 namespace radiata::io {
 
+/// How a file's bytes are packed.
+enum class Packing {
+    kByName,  ///< gzip if the name ends in .gz, else not
+    kPlain,
+    kGzip,
+};
+
 /// Not thread-safe; one object per reader.
 class ByteSource {
 public:
     /// Opens a file; one whose name ends in .gz is decompressed. Only regular files: a pipe could block for ever.
     /// \throws Error(kNotFound) if there is no such regular file, (kCorrupt) if it is empty or a .gz file is not gzip,
     ///         (kUnavailable) if it cannot be opened
-    explicit ByteSource(const std::filesystem::path& path);
+    explicit ByteSource(const std::filesystem::path& path) : ByteSource(path, Packing::kByName, 0) {}
+    /// \param begin  bytes of the file itself before the content, which is byte 0 for all that follows
+    ByteSource(const std::filesystem::path& path, Packing packing, std::uint64_t begin);
 
     /// Reads up to out.size() bytes; fewer only at the end of the file.
     /// \throws Error(kCorrupt) naming the offset if the compressed stream is damaged, (kUnavailable) if reading fails
@@ -37,6 +46,7 @@ public:
     void finish();
 
     bool compressed() const { return compressed_ != nullptr; }
+    /// Of the file from the content's begin on.
     std::uint64_t fileBytes() const { return file_bytes_; }
     /// For messages: the file's name without folders, because messages may travel to clients.
     std::string name() const { return path_.filename().string(); }

@@ -11,6 +11,7 @@
 
 #include "base/error.h"
 #include "io/byte_source.h"
+#include "io/data_file.h"
 #include "io/mrtrix_text.h"
 #include "math/cartesian_tensor.h"
 
@@ -144,23 +145,7 @@ void setData(const MrtrixText& text, const std::filesystem::path& header_path, S
         image.data_path = header_path;
         return;
     }
-    const std::filesystem::path relative(file);
-    const bool climbs = std::ranges::any_of(relative, [](const std::filesystem::path& part) { return part == ".."; });
-    if (relative.is_absolute() || climbs || file.find('\0') != std::string::npos) {
-        throw Error(Code::kInvalidArgument, text.file() + ": the data file " + shown(file) +
-                                                " is not inside the header's folder; a relative name without '..' is read");
-    }
-    std::error_code failure;
-    const auto folder = std::filesystem::canonical(header_path.has_parent_path() ? header_path.parent_path() : ".", failure);
-    const auto target = failure ? std::filesystem::path() : std::filesystem::canonical(folder / relative, failure);
-    if (failure || !std::filesystem::is_regular_file(target, failure)) {
-        throw Error(Code::kNotFound, text.file() + ": there is no data file " + shown(file) + " in the header's folder");
-    }
-    if (std::ranges::mismatch(folder, target).in1 != folder.end()) {
-        throw Error(Code::kInvalidArgument,
-                    text.file() + ": the data file " + shown(file) + " is a link that leads out of the header's folder");
-    }
-    image.data_path = target;
+    image.data_path = dataFileBeside(header_path, file);
 }
 
 /// The keys that this program adds to the format; docs/formats/tensors.md.

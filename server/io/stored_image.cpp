@@ -11,6 +11,7 @@
 #include "io/byte_source.h"
 #include "io/mrtrix_header.h"
 #include "io/nifti_header.h"
+#include "io/nrrd_header.h"
 
 namespace radiata::io {
 namespace {
@@ -30,7 +31,7 @@ std::vector<float> readInFileOrder(const StoredImage& image) {
     const std::uint64_t count = sampleCount(image);
     const std::uint64_t bits = bitsOf(image.type);
     const std::uint64_t bytes = (checkedMultiply(count, bits, "image size") + 7) / 8;
-    ByteSource source(image.data_path);
+    ByteSource source(image.data_path, image.packing, image.packed_offset);
     source.requireContent(checkedAdd(image.data_offset, bytes, source.name()));
     source.skipTo(image.data_offset);
 
@@ -147,7 +148,8 @@ StoredImage readStoredImage(const std::filesystem::path& path) {
     const std::string name = path.filename().string();
     if (name.ends_with(".nii") || name.ends_with(".nii.gz")) return readNiftiHeader(path);
     if (name.ends_with(".mif") || name.ends_with(".mif.gz") || name.ends_with(".mih")) return readMrtrixHeader(path);
-    throw Error(Code::kUnsupported, name + ": the name must end in .nii, .nii.gz, .mif, .mif.gz or .mih");
+    if (name.ends_with(".nrrd") || name.ends_with(".nhdr")) return readNrrdHeader(path);
+    throw Error(Code::kUnsupported, name + ": the name must end in .nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd or .nhdr");
 }
 
 std::vector<float> readSamples(const StoredImage& image) {

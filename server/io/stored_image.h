@@ -11,6 +11,7 @@
 
 #include <glm/glm.hpp>
 
+#include "io/byte_source.h"
 #include "io/sample_type.h"
 #include "io/tensor_options.h"
 
@@ -29,6 +30,8 @@ struct StoredImage {
     std::array<int, 4> rank{0, 1, 2, 3};  ///< rank[axis]: 0 for the axis that runs fastest in the file; a permutation
     std::array<bool, 4> reversed{false, false, false, false};  ///< the axis' last sample stands first
     std::filesystem::path data_path;
+    Packing packing = Packing::kByName;
+    std::uint64_t packed_offset = 0;     ///< bytes of the file itself before the content
     std::uint64_t data_offset = 0;       ///< bytes of (decompressed) content before the first sample
     std::optional<TensorHeader> tensor;  ///< the header calls the volumes components of a tensor
 };
@@ -43,7 +46,7 @@ std::array<int, 4> fourAxes(std::span<const std::int64_t> lengths, const std::st
 ///         origin lies within 1e9 mm
 void checkAffine(const glm::dmat4& voxel_to_world, const std::string& file);
 
-/// Reads the header of a .nii, .nii.gz, .mif, .mif.gz or .mih file.
+/// Reads the header of a .nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd or .nhdr file.
 /// \throws Error(kUnsupported) for another ending, else as readVolume()
 StoredImage readStoredImage(const std::filesystem::path& path);
 

@@ -11,6 +11,7 @@ using uint = std::uint32_t;
 using vec2 = glm::vec2;
 using vec3 = glm::vec3;
 using vec4 = glm::vec4;
+using ivec3 = glm::ivec3;
 }  // namespace radiata::shader
 #define STATIC_SIZE(Type, bytes) static_assert(sizeof(Type) == bytes, #Type " differs between C++ and GLSL")
 #define SHADER_NAMESPACE_BEGIN namespace radiata::shader {

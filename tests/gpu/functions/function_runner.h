@@ -58,6 +58,8 @@ protected:
         return outputs;
     }
 
+    gpu::Device& device() { return *device_; }
+
     /// Device time of the last run.
     double time_ms_ = 0;
 

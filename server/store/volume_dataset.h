@@ -1,0 +1,33 @@
+// A scalar volume on the device, for isosurfaces: samples, and the ranges by which rays leave out what is empty.
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/buffer.h"
+#include "model/scalar_image.h"
+#include "shaders/shared/isosurface.glsl"
+
+namespace radiata::store {
+
+/// Immutable. The device must outlive it.
+class VolumeDataset {
+public:
+    /// \throws Error(kInvalidArgument) for fewer than two samples along an axis or no number at all, (kResourceExhausted) if it
+    ///         does not fit the device
+    VolumeDataset(gpu::Device& device, const model::ScalarImage& image);
+
+    const shader::VolumeParams& params() const { return params_; }
+    float valueMin() const { return value_min_; }
+    float valueMax() const { return value_max_; }
+    /// Voxels that are NaN, infinite or beyond 3e38: cells with one of them in a corner have no surface.
+    std::uint64_t noValue() const { return no_value_; }
+    std::uint64_t gpuBytes() const { return samples_.sizeBytes() + ranges_.sizeBytes(); }
+
+private:
+    gpu::Buffer samples_, ranges_;
+    shader::VolumeParams params_{};
+    float value_min_ = 0, value_max_ = 0;
+    std::uint64_t no_value_ = 0;
+};
+
+}  // namespace radiata::store
