@@ -20,8 +20,9 @@ glm::vec2 rangeOf(const model::ScalarImage& image, const glm::ivec3& low, const 
     glm::vec2 range(kInfinity, -kInfinity);
     for (int k = low.z; k <= high.z; ++k) {
         for (int j = low.y; j <= high.y; ++j) {
-            const auto row = static_cast<std::size_t>(image.size.x) *
-                             (static_cast<std::size_t>(j) + static_cast<std::size_t>(image.size.y) * static_cast<std::size_t>(k));
+            const auto row =
+                static_cast<std::size_t>(image.size.x) *
+                (static_cast<std::size_t>(j) + static_cast<std::size_t>(image.size.y) * static_cast<std::size_t>(k));
             for (int i = low.x; i <= high.x; ++i) {
                 const float sample = image.values[row + static_cast<std::size_t>(i)];
                 if (hasValue(sample)) range = united(range, glm::vec2(sample));

@@ -18,10 +18,10 @@ struct BrickLevel {
 };
 
 struct VolumeBricks {
-    BrickLevel bricks;              ///< 8^3 cells
-    BrickLevel blocks;              ///< 64^3 cells
-    std::uint64_t no_value = 0;     ///< voxels that are NaN, infinite or beyond 3e38
-    float value_min = 0;            ///< of the others; 0 if there are none
+    BrickLevel bricks;           ///< 8^3 cells
+    BrickLevel blocks;           ///< 64^3 cells
+    std::uint64_t no_value = 0;  ///< voxels that are NaN, infinite or beyond 3e38
+    float value_min = 0;         ///< of the others; 0 if there are none
     float value_max = 0;
 };
 

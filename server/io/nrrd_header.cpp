@@ -25,7 +25,8 @@ SampleType sampleType(const NrrdText& text) {
         {SampleType::kUInt16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
         {SampleType::kInt32, {"int", "signed int", "int32", "int32_t"}},
         {SampleType::kUInt32, {"uint", "unsigned int", "uint32", "uint32_t"}},
-        {SampleType::kInt64, {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+        {SampleType::kInt64,
+         {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
         {SampleType::kUInt64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
         {SampleType::kFloat32, {"float"}},
         {SampleType::kFloat64, {"double"}},
@@ -82,7 +83,8 @@ glm::dvec3 towardsRas(const NrrdText& text) {
     std::string space = text.value("space");
     std::ranges::transform(space, space.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (space.ends_with("-time") || space == "rast" || space == "last" || space == "lpst") {
-        throw Error(Code::kUnsupported, text.file() + ": space is " + shown(text.value("space")) + "; volumes without time are read");
+        throw Error(Code::kUnsupported,
+                    text.file() + ": space is " + shown(text.value("space")) + "; volumes without time are read");
     }
     if (space == "left-anterior-superior" || space == "las") return {-1, 1, 1};
     if (space == "left-posterior-superior" || space == "lps") return {-1, -1, 1};
@@ -117,8 +119,8 @@ void setData(const NrrdText& text, const std::filesystem::path& header_path, Sto
     } else if (encoding == "gzip" || encoding == "gz") {
         image.packing = Packing::kGzip;
     } else {
-        throw Error(Code::kUnsupported,
-                    text.file() + ": encoding is " + shown(encoding) + "; raw and gzip are read (unu save -f nrrd -e gzip makes it)");
+        throw Error(Code::kUnsupported, text.file() + ": encoding is " + shown(encoding) +
+                                            "; raw and gzip are read (unu save -f nrrd -e gzip makes it)");
     }
     const std::string field = text.has("datafile") ? "datafile" : "";
     if (field.empty()) {
@@ -130,8 +132,8 @@ void setData(const NrrdText& text, const std::filesystem::path& header_path, Sto
     } else {
         const std::string& name = text.value(field);
         if (name.starts_with("LIST") || name.find('%') != std::string::npos) {
-            throw Error(Code::kUnsupported, text.file() + ": the data are spread over files (" + shown(name) +
-                                                "); one data file is read");
+            throw Error(Code::kUnsupported,
+                        text.file() + ": the data are spread over files (" + shown(name) + "); one data file is read");
         }
         image.data_path = dataFileBeside(header_path, name);
     }
@@ -144,10 +146,11 @@ void setData(const NrrdText& text, const std::filesystem::path& header_path, Sto
         // The samples are the file's last bytes.
         const std::uint64_t file_bytes = std::filesystem::file_size(image.data_path);
         std::uint64_t samples = bitsOf(image.type) / 8;
-        for (const std::int64_t length : image.size) samples *= static_cast<std::uint64_t>(length);  // fourAxes() has checked it
+        for (const std::int64_t length : image.size)
+            samples *= static_cast<std::uint64_t>(length);  // fourAxes() has checked it
         if (samples > file_bytes) {
-            throw Error(Code::kCorrupt, text.file() + ": the header promises " + std::to_string(samples) + " bytes of samples, the file has " +
-                                            std::to_string(file_bytes));
+            throw Error(Code::kCorrupt, text.file() + ": the header promises " + std::to_string(samples) +
+                                            " bytes of samples, the file has " + std::to_string(file_bytes));
         }
         image.packed_offset = file_bytes - samples;
         return;
@@ -188,8 +191,9 @@ StoredImage readNrrdHeader(const std::filesystem::path& path) {
             image.size[axes.size()] = sizes[axis];
             axes.push_back(all[axis]);
         } else if (sizes[axis] > 1) {
-            throw Error(Code::kUnsupported, file + ": axis " + std::to_string(axis + 1) + " has " + std::to_string(sizes[axis]) +
-                                                " entries and is none of the three of space; volumes of one number per voxel are read");
+            throw Error(Code::kUnsupported,
+                        file + ": axis " + std::to_string(axis + 1) + " has " + std::to_string(sizes[axis]) +
+                            " entries and is none of the three of space; volumes of one number per voxel are read");
         }
     }
     if (axes.empty()) throw Error(Code::kCorrupt, file + ": no axis is one of space");

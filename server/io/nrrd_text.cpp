@@ -65,7 +65,8 @@ NrrdText::NrrdText(const std::filesystem::path& path) {
         text.resize(before + got);
         const bool magic = text.size() > 8 && text.starts_with("NRRD000") && text[7] >= '1' && text[7] <= '5';
         if (!magic) {
-            throw Error(Code::kCorrupt, file_ + ": the file begins with " + shown(text.substr(0, std::min(text.find('\n'), std::size_t{8}))) +
+            throw Error(Code::kCorrupt, file_ + ": the file begins with " +
+                                            shown(text.substr(0, std::min(text.find('\n'), std::size_t{8}))) +
                                             "; a NRRD file begins with NRRD0001 to NRRD0005");
         }
         end = behindEmptyLine(text, before - std::min<std::size_t>(before, 2));

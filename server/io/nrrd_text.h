@@ -14,7 +14,8 @@ namespace radiata::io {
 
 class NrrdText {
 public:
-    /// \throws Error(kCorrupt) unless it begins with NRRD0001 to NRRD0005 and ends with an empty line (a .nhdr file may end without
+    /// \throws Error(kCorrupt) unless it begins with NRRD0001 to NRRD0005 and ends with an empty line (a .nhdr file may end
+    /// without
     ///         one), has each field once and is at most 1 MiB long
     explicit NrrdText(const std::filesystem::path& path);
 

@@ -18,9 +18,8 @@ struct Volume {
     std::string source;                            ///< file name for messages
 };
 
-/// Reads .nii and .nii.gz (NIfTI-1 and -2), .mif, .mif.gz, .mih, .nrrd and .nhdr: every real data type, both byte orders, any axis
-/// order.
-/// The voxel axes stay those of the file: nothing is flipped towards RAS, voxel_to_world says where each voxel is.
+/// Reads .nii and .nii.gz (NIfTI-1 and -2), .mif, .mif.gz, .mih, .nrrd and .nhdr: every real data type, both byte orders, any
+/// axis order. The voxel axes stay those of the file: nothing is flipped towards RAS, voxel_to_world says where each voxel is.
 /// \throws Error naming file, field, value and what would be right: kNotFound (no such file), kUnsupported (complex, colour,
 /// another
 ///         format), kCorrupt (truncated, lying, empty, singular or non-finite matrix), kInvalidArgument (a .mih or

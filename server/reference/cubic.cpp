@@ -8,8 +8,8 @@ namespace {
 
 using Bernstein = std::array<double, 4>;
 
-/// The blossom of the trilinear function restricted to the chord: each axis gets its own parameter; the Bernstein coefficient i is
-/// the mean over all ways to give i of the three axes the chord's end.
+/// The blossom of the trilinear function restricted to the chord: each axis gets its own parameter; the Bernstein coefficient i
+/// is the mean over all ways to give i of the three axes the chord's end.
 Bernstein bernsteinForm(const std::array<double, 8>& corners, double isovalue, const glm::dvec3& from, const glm::dvec3& to) {
     Bernstein form{};
     constexpr std::array<double, 4> kWays{1, 3, 3, 1};

@@ -1,5 +1,5 @@
-// Roots of a trilinear cell's value along a chord, in double, by subdivision of the Bernstein form: no derivative, no iteration that
-// could miss. Twin of shaders/common/cubic.glsl.
+// Roots of a trilinear cell's value along a chord, in double, by subdivision of the Bernstein form: no derivative, no iteration
+// that could miss. Twin of shaders/common/cubic.glsl.
 #pragma once
 
 #include <array>

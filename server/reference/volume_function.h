@@ -1,5 +1,5 @@
-// A scalar volume as a function, in double: values, gradients, and the first hit of a ray with an isosurface by going through the
-// sorted crossings of all grid planes. Twin of shaders/isosurface/{volume,trace_volume}.glsl.
+// A scalar volume as a function, in double: values, gradients, and the first hit of a ray with an isosurface by going through
+// the sorted crossings of all grid planes. Twin of shaders/isosurface/{volume,trace_volume}.glsl.
 #pragma once
 
 #include <optional>

@@ -17,7 +17,7 @@
 namespace radiata::store {
 namespace {
 
-constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih"};
+constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr"};
 
 /// File name without its image suffix, or nothing if it is no image.
 std::string stemOf(const std::filesystem::path& path) {
@@ -126,8 +126,8 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         std::sort(files.begin(), files.end());
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
-            throw Error(Code::kUnsupported,
-                        "data: '" + folder_or_file.string() + "' is no .nii, .nii.gz, .mif, .mif.gz or .mih file");
+            throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
+                                                "' is no .nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd or .nhdr file");
         }
         files.push_back(folder_or_file);
     } else {

@@ -53,8 +53,8 @@ VolumeDataset::VolumeDataset(gpu::Device& device, const model::ScalarImage& imag
     params_.grid_x = glm::vec3(to_grid[0]);
     params_.grid_y = glm::vec3(to_grid[1]);
     params_.grid_z = glm::vec3(to_grid[2]);
-    params_.voxel_mm = static_cast<float>(
-        std::min({glm::length(to_world[0]), glm::length(to_world[1]), glm::length(to_world[2])}));
+    params_.voxel_mm =
+        static_cast<float>(std::min({glm::length(to_world[0]), glm::length(to_world[1]), glm::length(to_world[2])}));
 }
 
 }  // namespace radiata::store

@@ -1,4 +1,4 @@
-// Writes small valid image files as seed corpora: make_corpus FOLDER makes FOLDER/{nifti,nifti_gz,mif,mif_gz,mih}/…
+// Writes small valid image files as seed corpora: make_corpus FOLDER makes FOLDER/{nifti,nifti_gz,mif,mif_gz,mih,nrrd,nhdr}/…
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -65,6 +65,25 @@ void writeMrtrix(const std::filesystem::path& folder) {
     }
 }
 
+void writeNrrd(const std::filesystem::path& folder) {
+    const std::vector<std::pair<std::string, std::string>> types{{"int8", "signed char"}, {"uint16", "ushort"},
+                                                                 {"int32", "int"},        {"uint64", "ulonglong"},
+                                                                 {"float32", "float"},    {"float64", "double"}};
+    for (const auto& [type, name] : types) {
+        for (const bool big : {false, true}) {
+            const std::string fields =
+                std::string("NRRD0004\n# seed\ndimension: 3\nsizes: 4 3 2\nspace: left-posterior-superior\n") +
+                "space directions: (1,0,0) (0,2,0) (0,0.5,3)\nspace origin: (-1,2,3)\nendian: " + (big ? "big" : "little") +
+                "\ntype: " + name + "\n";
+            const std::string data = encode(values(24), type, big), seed = type + (big ? "_b" : "_l");
+            write(folder / "nrrd" / (seed + "_raw"), fields + "encoding: raw\n\n" + data);
+            write(folder / "nrrd" / (seed + "_gzip"), fields + "encoding: gzip\n\n" + gzip(data));
+            write(folder / "nhdr" / seed,
+                  fields + "encoding: raw\ndata file: data.dat\nbyte skip: " + (big ? "-1" : "8") + "\n");
+        }
+    }
+}
+
 }  // namespace
 
 int main(int count, char** arguments) {
@@ -75,6 +94,7 @@ int main(int count, char** arguments) {
     try {
         writeNifti(arguments[1]);
         writeMrtrix(arguments[1]);
+        writeNrrd(arguments[1]);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "make_corpus: %s\n", error.what());
         return 1;

@@ -24,6 +24,7 @@ inline void requireProgram(const std::string& probe, const std::string& package)
 }
 
 inline void requireMrtrix() { requireProgram("mrconvert -version && sh2amp -version", "mrtrix3"); }
+inline void requireTeem() { requireProgram("teem-unu about", "teem-apps"); }
 inline void requireNibabel() { requireProgram("/usr/bin/python3 -c 'import nibabel'", "python3-nibabel"); }
 
 }  // namespace radiata::test

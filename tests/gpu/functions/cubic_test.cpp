@@ -1,5 +1,6 @@
-// Chords through trilinear cells: first roots against subdivision in double. A third of the cells is random, a third nearly planar,
-// a third like computed tomography, numbers around 1000. radiata-lab run isosurface-hits does the same over four million.
+// Chords through trilinear cells: first roots against subdivision in double. A third of the cells is random, a third nearly
+// planar, a third like computed tomography, numbers around 1000. radiata-lab run isosurface-hits does the same over four
+// million.
 #include "reference/cubic.h"
 
 #include <gtest/gtest.h>
@@ -61,8 +62,8 @@ TEST_F(CubicFunctions, FirstRootsAgreeWithSubdivision) {
         const auto expected = reference::firstChordRoot(corners, x.isovalue, x.from, x.to);
         // Less than this is within the rounding of the corners' sums in float.
         const double rounding = 2e-6 * (1 + *std::max_element(corners.begin(), corners.end(), [](double a, double b) {
-                                                   return std::abs(a) < std::abs(b);
-                                               }) * 0.02);
+                                            return std::abs(a) < std::abs(b);
+                                        }) * 0.02);
         if (roots[i] >= 0 && !expected) {
             const double value =
                 reference::cellValue(corners, glm::mix(glm::dvec3(x.from), glm::dvec3(x.to), double(roots[i]))) - x.isovalue;
@@ -75,13 +76,14 @@ TEST_F(CubicFunctions, FirstRootsAgreeWithSubdivision) {
             continue;
         }
         errors.push_back(std::abs(roots[i] - expected->u) * glm::length(glm::dvec3(x.to) - glm::dvec3(x.from)));
-        const double ends = (reference::cellValue(corners, x.from) - x.isovalue) * (reference::cellValue(corners, x.to) - x.isovalue);
+        const double ends =
+            (reference::cellValue(corners, x.from) - x.isovalue) * (reference::cellValue(corners, x.to) - x.isovalue);
         even += ends > 0 ? 1 : 0;
     }
     std::ranges::sort(errors);
     const double p9999 = errors[errors.size() * 9999 / 10000];
-    std::printf("%zu hits, %zu of them between ends of one sign; error median %.2g, p99 %.2g, p99.99 %.2g, most %.2g cells\n", hits,
-                even, errors[errors.size() / 2], errors[errors.size() * 99 / 100], p9999, errors.back());
+    std::printf("%zu hits, %zu of them between ends of one sign; error median %.2g, p99 %.2g, p99.99 %.2g, most %.2g cells\n",
+                hits, even, errors[errors.size() / 2], errors[errors.size() * 99 / 100], p9999, errors.back());
     EXPECT_EQ(missed, 0U);
     EXPECT_EQ(invented, 0U);
     EXPECT_GT(even, hits / 100);
@@ -102,16 +104,16 @@ TEST_F(CubicFunctions, DegenerateCellsHaveTheAnswersOfTheirFormulas) {
     const std::array<float, 8> ramp{0, 1, 0, 1, 0, 1, 0, 1}, saddle{1, -2, -2, 1, 1, -2, -2, 1};
     const glm::vec3 left(0, 0.5F, 0.5F), right(1, 0.5F, 0.5F);
     const std::vector<CubicInput> chords{
-        chord({3, 3, 3, 3, 3, 3, 3, 3}, 3, left, right),   // all equal to the isovalue: all inside
-        chord({3, 3, 3, 3, 3, 3, 3, 3}, 2, left, right),   // all above
-        chord(ramp, 0, left, right),                       // the isovalue at the first corner: never outside
-        chord(ramp, 1, left, right),                       // at the last: reached at the very end
-        chord(ramp, 0.25F, left, right),                   // linear
-        chord(ramp, 0.25F, {0, 0, 0}, {1, 0, 0}),          // along an edge
-        chord(saddle, 0, {0, 0, 0.5F}, {1, 1, 0.5F}),      // two roots between ends of one sign
+        chord({3, 3, 3, 3, 3, 3, 3, 3}, 3, left, right),      // all equal to the isovalue: all inside
+        chord({3, 3, 3, 3, 3, 3, 3, 3}, 2, left, right),      // all above
+        chord(ramp, 0, left, right),                          // the isovalue at the first corner: never outside
+        chord(ramp, 1, left, right),                          // at the last: reached at the very end
+        chord(ramp, 0.25F, left, right),                      // linear
+        chord(ramp, 0.25F, {0, 0, 0}, {1, 0, 0}),             // along an edge
+        chord(saddle, 0, {0, 0, 0.5F}, {1, 1, 0.5F}),         // two roots between ends of one sign
         chord(ramp, 0.5F, {0.5F, 0, 0.5F}, {0.5F, 1, 0.5F}),  // within the surface: no slope at all
-        chord(ramp, 0.5F, left, left),                     // no length
-        chord({0, 1e30F, 0, 1e30F, 0, 1e30F, 0, 1e30F}, 2.5e29F, left, right),   // squares would not fit a float
+        chord(ramp, 0.5F, left, left),                        // no length
+        chord({0, 1e30F, 0, 1e30F, 0, 1e30F, 0, 1e30F}, 2.5e29F, left, right),  // squares would not fit a float
         chord({0, 1e-30F, 0, 1e-30F, 0, 1e-30F, 0, 1e-30F}, 2.5e-31F, left, right),
     };
     const std::vector<float> roots = runFunction<float>("test_cubic", {}, chords);

@@ -1,5 +1,5 @@
-// Rays through whole volumes, and gradients: the walk on the device against the sorted crossings of all grid planes in double, made
-// volumes always and real ones (folder RADIATA_DATA) with what another program found there.
+// Rays through whole volumes, and gradients: the walk on the device against the sorted crossings of all grid planes in double,
+// made volumes always and real ones (folder RADIATA_DATA) with what another program found there.
 #include "shaders/shared/isosurface.glsl"
 
 #include <gtest/gtest.h>
@@ -46,7 +46,8 @@ std::vector<VolumeRay> raysFromOutside(const shader::VolumeParams& volume, float
     const glm::vec3 size = glm::vec3(volume.size) - 1.0F, middle = 0.5F * size;
     std::vector<VolumeRay> rays;
     for (std::size_t i = 0; i < count; ++i) {
-        const glm::vec3 from = glm::normalize(glm::vec3(normal(random), normal(random), normal(random))) * glm::length(size) + middle;
+        const glm::vec3 from =
+            glm::normalize(glm::vec3(normal(random), normal(random), normal(random))) * glm::length(size) + middle;
         const glm::vec3 to = glm::vec3(unit(random), unit(random), unit(random)) * size;
         rays.push_back(rayOf(volume, from, glm::normalize(to - from), isovalue));
     }
@@ -158,10 +159,10 @@ TEST_F(VolumeFunctions, OddRaysAndVolumesHaveTheAnswersOfTheirFormulas) {
         rayOf(a, {-3, 4, 3}, {1, 0, 0}, 45),           // along the volume's own edge
         rayOf(a, {-3, 4.001F, 3}, {1, 0, 0}, 45),      // just past it
         rayOf(a, {20, 1.5F, 1.5F}, {-1, 0, 0}, 20.5F),
-        rayOf(a, {5, 1.5F, 1.5F}, {0, 0, 1}, 20),      // within the surface
+        rayOf(a, {5, 1.5F, 1.5F}, {0, 0, 1}, 20),         // within the surface
         rayOf(a, {-3, 1.5F, 1.5F}, {0.5F, 0, 0}, 20.5F),  // t counts in the direction's length
-        rayOf(b, {-3, 1.5F, 1.5F}, {1, 0, 0}, 20.5F),  // into the cells that the hole has taken
-        rayOf(b, {-3, 3.5F, 2.5F}, {1, 0, 0}, 40.5F),  // beside them
+        rayOf(b, {-3, 1.5F, 1.5F}, {1, 0, 0}, 20.5F),     // into the cells that the hole has taken
+        rayOf(b, {-3, 3.5F, 2.5F}, {1, 0, 0}, 40.5F),     // beside them
         rayOf(c, {-1, 0.5F, 0.5F}, {1, 0, 0}, 0.25F),
         rayOf(c, {-1, 0.5F, 0.5F}, {1, 0, 0}, 2),
     };
@@ -179,7 +180,8 @@ TEST_F(VolumeFunctions, OddRaysAndVolumesHaveTheAnswersOfTheirFormulas) {
     const std::vector<double> expected{8.5, 8, 8, kMiss, 14.5, kMiss, 17, kMiss, 8.5, 1.25, kMiss, kMiss, 8.5, kMiss, 8.5};
     for (const bool bricks : {true, false}) {
         const std::vector<VolumeRayHit> hits = trace(rays, bricks);
-        for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(hits[i].t, expected[i], 1e-5) << i << (bricks ? "" : " plain");
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            EXPECT_NEAR(hits[i].t, expected[i], 1e-5) << i << (bricks ? "" : " plain");
     }
 }
 

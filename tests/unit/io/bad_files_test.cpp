@@ -65,7 +65,7 @@ TEST_F(BadFiles, FilesThatAreNotThereOrNotFiles) {
     expectError(folder_.path() / "none.nii", Code::kNotFound, "no regular file");
     std::filesystem::create_directory(folder_.path() / "folder.nii");
     expectError(folder_.path() / "folder.nii", Code::kNotFound, "no regular file");
-    expectError(folder_.write("notes.txt", "hello"), Code::kUnsupported, ".nii, .nii.gz, .mif, .mif.gz or .mih");
+    expectError(folder_.write("notes.txt", "hello"), Code::kUnsupported, ".nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd or .nhdr");
     for (const std::string name : {"a.nii", "a.nii.gz", "a.mif", "a.mif.gz", "a.mih"}) {
         expectError(folder_.write(name, ""), Code::kCorrupt, "empty (0 bytes)");
     }

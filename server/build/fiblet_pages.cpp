@@ -1,0 +1,133 @@
+#include "build/fiblet_pages.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "base/parallel.h"
+#include "build/fiblet_code.h"
+
+namespace radiata {
+namespace {
+
+using shader::FIBLET_PAGE;
+
+/// Spreads the lower 20 bits so that two free bits lie between each two.
+std::uint64_t spread(std::uint64_t x) {
+    x = (x | x << 32) & 0x1f00000000ffffULL;
+    x = (x | x << 16) & 0x1f0000ff0000ffULL;
+    x = (x | x << 8) & 0x100f00f00f00f00fULL;
+    x = (x | x << 4) & 0x10c30c30c30c30c3ULL;
+    return (x | x << 2) & 0x1249249249249249ULL;
+}
+
+/// Code of the cell that the fiblet's middle point lies in.
+std::uint64_t mortonCode(const model::FibletHead& head, const std::uint32_t* words, const shader::FibletCodec& codec) {
+    std::array<glm::vec3, 64> points;
+    const std::uint32_t count = decodeOffsets(head, words, codec, points.data());
+    const glm::dvec3 middle = (fibletStart(head, codec) + glm::dvec3(points[count / 2])) / double(codec.cell_mm);
+    const glm::dvec3 cell = glm::clamp(middle, glm::dvec3(0), glm::dvec3(model::kFibletCellMax));
+    return spread(std::uint64_t(cell.x)) | spread(std::uint64_t(cell.y)) << 1 | spread(std::uint64_t(cell.z)) << 2;
+}
+
+struct Bounds {
+    glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+};
+
+/// One step outwards of three coordinates in steps of the page's box.
+std::uint32_t steps(glm::vec3 p, const shader::FibletPage& page, bool upwards) {
+    std::uint32_t packed = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double extent = double(page.high[axis]) - page.low[axis];
+        const double t = extent > 0 ? (double(p[axis]) - page.low[axis]) / extent * shader::FIBLET_BOX_STEPS : upwards ? 1 : 0;
+        // A thousandth of a step covers the rounding of whoever unpacks in float32.
+        const double whole =
+            std::clamp(upwards ? std::ceil(t + 1e-3) : std::floor(t - 1e-3), 0.0, double(shader::FIBLET_BOX_STEPS));
+        packed |= std::uint32_t(whole) << (10 * axis);
+    }
+    return packed;
+}
+
+void boundPage(model::FibletSet& set, std::size_t p) {
+    // Of decoders in float32: rounding of 63 sums at 200 mm stays below this.
+    constexpr float kSlackMm = 2e-4F;
+    shader::FibletPage& page = set.pages[p];
+    std::array<Bounds, FIBLET_PAGE> boxes;
+    std::array<glm::vec3, 64> points;
+    Bounds all;
+    for (std::uint32_t f = 0; f < page.count; ++f) {
+        const model::FibletHead& head = set.heads[p * FIBLET_PAGE + f];
+        const std::uint32_t count =
+            decodeOffsets(head, set.codes.data() + page.first_word + model::fibletWord(head), set.codec, points.data());
+        const glm::vec3 start(fibletStart(head, set.codec));
+        for (std::uint32_t i = 0; i < count; ++i) {
+            boxes[f].low = glm::min(boxes[f].low, points[i]);
+            boxes[f].high = glm::max(boxes[f].high, points[i]);
+        }
+        boxes[f].low += start - kSlackMm;
+        boxes[f].high += start + kSlackMm;
+        all.low = glm::min(all.low, boxes[f].low);
+        all.high = glm::max(all.high, boxes[f].high);
+    }
+    page.low = all.low;
+    page.high = all.high;
+    for (std::uint32_t f = 0; f < page.count; ++f) {
+        set.boxes[p * FIBLET_PAGE + f] = {steps(boxes[f].low, page, false), steps(boxes[f].high, page, true)};
+    }
+}
+
+}  // namespace
+
+void boundFiblets(model::FibletSet& set) {
+    set.boxes.resize(set.heads.size());
+    parallelFor(set.pages.size(), 16, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t p = begin; p < end; ++p) boundPage(set, p);
+    });
+}
+
+void indexFibres(model::FibletSet& set, std::uint64_t fibres) {
+    set.fibre_first.assign(fibres + 1, 0);
+    for (const model::FibletHead& head : set.heads) ++set.fibre_first[head.fibre + 1];
+    std::partial_sum(set.fibre_first.begin(), set.fibre_first.end(), set.fibre_first.begin());
+    set.fibre_fiblets.resize(set.heads.size());
+    for (std::uint32_t i = 0; i < set.heads.size(); ++i) {
+        set.fibre_fiblets[set.fibre_first[set.heads[i].fibre] + model::fibletIndex(set.heads[i])] = i;
+    }
+}
+
+void arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets, const std::vector<std::uint32_t>& heap,
+                    std::uint64_t fibres) {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(fiblets.size());
+    parallelFor(fiblets.size(), 1024, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            order[i] = {mortonCode(fiblets[i].head, heap.data() + fiblets[i].first_word, set.codec), std::uint32_t(i)};
+        }
+    });
+    std::sort(order.begin(), order.end());
+    set.heads.clear();
+    set.codes.clear();
+    set.pages.clear();
+    set.heads.reserve(fiblets.size());
+    set.codes.reserve(heap.size() + 1);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const LooseFiblet& fiblet = fiblets[order[i].second];
+        if (i % FIBLET_PAGE == 0) set.pages.push_back({glm::vec3(0), std::uint32_t(set.codes.size()), glm::vec3(0), 0});
+        shader::FibletPage& page = set.pages.back();
+        ++page.count;
+        model::FibletHead head = fiblet.head;
+        const std::uint32_t words =
+            model::fibletWords(model::fibletSegments(head), model::fibletWidth(head), model::fibletIsShortened(head));
+        const auto place = std::uint32_t(set.codes.size()) - page.first_word;
+        head.shape = (head.shape & ~(1023U << 10)) | (place / 2) << 10;
+        set.heads.push_back(head);
+        const auto first = heap.begin() + std::ptrdiff_t(fiblet.first_word);
+        set.codes.insert(set.codes.end(), first, first + words);
+    }
+    set.codes.push_back(0);
+    indexFibres(set, fibres);
+    boundFiblets(set);
+}
+
+}  // namespace radiata
