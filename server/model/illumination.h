@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,6 +91,21 @@ struct Illumination {
         for (int k = 0; k <= bounces; ++k) count += orders[static_cast<std::size_t>(k)] * orders[static_cast<std::size_t>(k)];
         return payload == TexelPayload::kIrradiance ? 3 * (bounces + 1) : count;
     }
+};
+
+/// How far a picture's global light is.
+struct IlluminationInfo {
+    std::uint64_t texels = 0;         ///< of the whole lattice
+    std::uint64_t texels_needed = 0;  ///< by the pixels of this picture
+    std::uint64_t texels_done = 0;    ///< of them: at the wanted error, or at the largest number of samples
+    std::uint64_t bricks_left_out = 0;  ///< that the budget had no room for; what needs them is lit locally
+    std::uint64_t samples = 0;          ///< paths followed for this picture
+    double mean_error = 0;              ///< relative standard error of the texels needed that have light, mean
+    double p95_error = 0;               ///< and 95th percentile
+    double seconds = 0;                 ///< spent on texels for this picture
+    std::uint64_t bytes = 0;            ///< device memory of texels
+    bool projected = false;             ///< texels are lit on the shown surface
+    bool operator==(const IlluminationInfo&) const = default;
 };
 
 }  // namespace radiata::model

@@ -1,6 +1,6 @@
 // Light of the visible pixels of a layer, interpolated between texels: radiance of a white diffuse surface. One invocation per pixel.
-// Texels without light yet, and those without a surface, leave their share to the others; where none has any, half of the sky's mean
-// stands in. Texels that were lit on the shown surface count by how their normals agree with the pixel's.
+// Texels without light yet, and those without a surface, leave their share to the others; where none has any the light is -1, and the
+// light pass lights the pixel locally. Texels that were lit on the shown surface count by how their normals agree with the pixel's.
 // Source: Wyman et al. 2006, Sec. 4.2.
 #version 460
 #extension GL_GOOGLE_include_directive : require
@@ -20,7 +20,6 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     LatticeBuffer lattice;
     GlobalLightBuffer light;
-    float unlit;  // where nothing is known
 } push;
 
 void main() {
@@ -53,5 +52,5 @@ void main() {
         sum += weight * shownRadiance(shown);
         total += weight;
     }
-    push.light.at[pixel] = total > 0.0 ? sum / total : vec3(push.unlit);
+    push.light.at[pixel] = total > 0.0 ? sum / total : vec3(-1.0);
 }

@@ -1,9 +1,9 @@
 // Where on the shown surface a pixel's hit lies, from its depth.
 #ifndef RADIATA_ISOSURFACE_HIT_POINT
 #define RADIATA_ISOSURFACE_HIT_POINT
+#include "shaders/shared/frame.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/isosurface/level_set.glsl"
-#include "shaders/shared/frame.glsl"
 
 GridPoint hitPoint(FrameParams frame, IsosurfaceParams layer, uint pixel, float depth) {
     const vec2 point = vec2(pixel % frame.width, pixel / frame.width) + 0.5 + frame.jitter;

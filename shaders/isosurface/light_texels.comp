@@ -9,16 +9,18 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kTransfer = false;
 layout(constant_id = 2) const bool kHalf = true;  // how payloads are kept
 
-layout(buffer_reference, scalar) readonly buffer ItemBuffer { TexelItem at[]; };
+// coverage: the texel's row of sums; state: paths of each replicate that its sums have, and afterwards its new state.
+layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ItemBuffer { TexelItem at[]; };
 
 layout(push_constant, scalar) uniform Push {
     LatticeBuffer lattice;
     ItemBuffer items;
-    TexelFloats sums;     // per item: stride numbers over all replicates, and each replicate's luminance
+    TexelFloats sums;     // per row: stride numbers over all replicates, and each replicate's luminance
     uint first_item;
     uint item_end;
-    uint first_path;      // of each replicate
+    uint first_path;      // of each replicate; texels that have more begin where they are
     uint path_end;
+    uint stage_end;       // of the whole stage, of which this dispatch may be a part
     uint seed;
 } push;
 
@@ -28,14 +30,17 @@ void main() {
     const LatticeParams lattice = push.lattice.lattice;
     const TexelItem item = push.items.at[item_number];
     const uint row = lattice.stride + LATTICE_REPLICATES;
-    TexelFloats sums = TexelFloats(uint64_t(push.sums) + uint64_t(item_number) * uint64_t(4u * row));
+    TexelFloats sums = TexelFloats(uint64_t(push.sums) + uint64_t(item.coverage) * uint64_t(4u * row));
     TexelWords state = wordsAt(lattice.state, item.place, 1u);
     SurfacePoint point;
     if (!texelSurface(lattice, texelOf(lattice, item.texel), point)) {
         state.at[0] = TEXEL_EMPTY | (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT);
+        push.items.at[item_number].state = state.at[0];
         return;
     }
-    if (push.first_path == 0u) {
+    const uint first_path = max(push.first_path, item.state);
+    if (first_path >= push.path_end) return;
+    if (first_path == 0u) {
         for (uint i = 0u; i < row; ++i) sums.at[i] = 0.0;
     }
     const uint texel_seed = childSeed(push.seed, item.texel);
@@ -44,7 +49,7 @@ void main() {
     for (uint replicate = 0u; replicate < LATTICE_REPLICATES; ++replicate) {
         const uint seed = childSeed(texel_seed, replicate);
         float bright = 0.0;
-        for (uint path = push.first_path; path < push.path_end; ++path) {
+        for (uint path = first_path; path < push.path_end; ++path) {
             const PathLight found = followPath(lattice, point, kTransfer, path, seed, sums);
             vec3 weight = vec3(1.0);
             for (uint k = 0u; k <= lattice.bounces; ++k) {
@@ -61,6 +66,10 @@ void main() {
         }
     }
 
+    if (push.path_end != push.stage_end) {
+        push.items.at[item_number].state = push.path_end;
+        return;
+    }
     // Means over all paths so far.
     const float scale = 1.0 / float(LATTICE_REPLICATES * push.path_end), replicate_scale = 1.0 / float(push.path_end);
     float mean = 0.0, squares = 0.0;
@@ -84,4 +93,5 @@ void main() {
     TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = packShown(irradiance / kPi, point.normal);
     const uint stage = uint(findMSB(LATTICE_REPLICATES * push.path_end)) + 1u;
     state.at[0] = (packHalf2x16(vec2(min(relative, 60000.0), 0.0)) & 0xffffu) | (stage << TEXEL_STAGE_SHIFT);
+    push.items.at[item_number].state = state.at[0];
 }
