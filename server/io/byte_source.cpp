@@ -24,11 +24,11 @@ constexpr std::uint64_t kDeflateRatioMax = 1032;        // zlib's technical note
 ByteSource::ByteSource(const std::filesystem::path& path, Packing packing, std::uint64_t begin) : path_(path) {
     std::error_code failure;
     if (!std::filesystem::is_regular_file(path, failure)) {
-        throw Error(Code::kNotFound, name() + ": there is no regular file of this name; an image must be one");
+        throw Error(Code::kNotFound, name() + ": there is no regular file of this name; data are read from files only");
     }
     file_bytes_ = std::filesystem::file_size(path, failure);
     if (failure) throw Error(Code::kUnavailable, name() + ": its size cannot be read (" + failure.message() + ")");
-    if (file_bytes_ == 0) throw Error(Code::kCorrupt, name() + ": the file is empty (0 bytes); an image has a header");
+    if (file_bytes_ == 0) throw Error(Code::kCorrupt, name() + ": the file is empty (0 bytes); data have a header");
 
     if (begin >= file_bytes_) {
         throw Error(Code::kCorrupt, name() + ": the data should begin at byte " + std::to_string(begin) + ", the file has " +
@@ -111,6 +111,12 @@ void ByteSource::requireContent(std::uint64_t end) const {
                                         std::to_string(file_bytes_) + " compressed bytes can hold at most " +
                                         std::to_string(most));
     }
+}
+
+std::uint64_t ByteSource::fileBytesRead() const {
+    if (!compressed_) return position_;
+    const z_off_t offset = gzoffset(compressed_.get());
+    return offset < 0 ? 0 : static_cast<std::uint64_t>(offset);
 }
 
 void ByteSource::finish() {

@@ -1,4 +1,4 @@
-// The bytes of an image file from front to back, plain or gzip-compressed, never more of them than the caller has room for.
+// The bytes of a file of data from front to back, plain or gzip-compressed, never more of them than the caller has room for.
 #pragma once
 
 #include <cstddef>
@@ -48,6 +48,10 @@ public:
     bool compressed() const { return compressed_ != nullptr; }
     /// Of the file from the content's begin on.
     std::uint64_t fileBytes() const { return file_bytes_; }
+    /// Bytes of the file that were taken so far, compressed ones of a .gz file.
+    std::uint64_t fileBytesRead() const;
+    /// Offset of the next byte in the (decompressed) content.
+    std::uint64_t position() const { return position_; }
     /// For messages: the file's name without folders, because messages may travel to clients.
     std::string name() const { return path_.filename().string(); }
 

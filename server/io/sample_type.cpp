@@ -2,13 +2,31 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 
 #include "base/error.h"
 
 namespace radiata::io {
 namespace {
+
+/// IEEE binary16: sign, 5 bits of exponent, 10 of fraction.
+struct Half {
+    std::uint16_t bits = 0;
+
+    explicit operator float() const {
+        const int exponent = (bits >> 10) & 31, fraction = bits & 1023;
+        float value = exponent == 0 ? std::ldexp(static_cast<float>(fraction), -24)
+                                    : std::ldexp(static_cast<float>(1024 + fraction), exponent - 25);
+        if (exponent == 31) {
+            value = fraction == 0 ? std::numeric_limits<float>::infinity() : std::numeric_limits<float>::quiet_NaN();
+        }
+        return (bits & 0x8000) != 0 ? -value : value;
+    }
+    explicit operator double() const { return static_cast<float>(*this); }
+};
 
 template <typename Stored, bool kSwapped>
 Stored load(const std::byte* at) {
@@ -65,6 +83,7 @@ std::uint64_t bitsOf(SampleType type) {
             return 8;
         case SampleType::kInt16:
         case SampleType::kUInt16:
+        case SampleType::kFloat16:
             return 16;
         case SampleType::kInt32:
         case SampleType::kUInt32:
@@ -106,6 +125,8 @@ void decodeSamples(SampleType type, bool swapped, double slope, double intercept
             return decodeAs<std::int64_t>(swapped, slope, intercept, data, out);
         case SampleType::kUInt64:
             return decodeAs<std::uint64_t>(swapped, slope, intercept, data, out);
+        case SampleType::kFloat16:
+            return decodeAs<Half>(swapped, slope, intercept, data, out);
         case SampleType::kFloat32:
             return decodeAs<float>(swapped, slope, intercept, data, out);
         case SampleType::kFloat64:

@@ -1,4 +1,4 @@
-// How one number of an image is stored, over both formats, and how it becomes a float.
+// How one number of an image is stored, over all formats, and how it becomes a float.
 #pragma once
 
 #include <cstddef>
@@ -18,6 +18,7 @@ enum class SampleType {
     kUInt32,
     kInt64,
     kUInt64,
+    kFloat16,  ///< IEEE binary16 (TRX)
     kFloat32,
     kFloat64,
     kFloat128,  ///< IEEE binary128 (NIfTI's FLOAT128)
