@@ -128,6 +128,8 @@ void limits(const Connection& connection, const Options& options) {
                         std::to_string(response.pixels_max()) + " in all"},
         {"samples per pixel", std::to_string(response.samples_max())},
         {"pieces of a marched ray", std::to_string(response.ray_march_steps_max())},
+        {"highest band", std::to_string(response.band_max())},
+        {"highest order of tensors", std::to_string(response.tensor_order_max())},
         {"layers", std::to_string(response.layers_max())},
         {"open views", std::to_string(response.views_max())},
         {"unacknowledged frames", std::to_string(response.window_max())},

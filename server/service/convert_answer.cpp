@@ -2,6 +2,8 @@
 #include <cstring>
 #include <type_traits>
 
+#include "math/cartesian_tensor.h"
+#include "math/sh_layout.h"
 #include "service/convert.h"
 
 namespace radiata::service {
@@ -123,6 +125,8 @@ v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backen
     message.set_mesh_vertices_max(static_cast<std::uint32_t>(model::kMeshVerticesMax));
     message.set_layer_triangles_max(model::kLayerTrianglesMax);
     message.set_ray_march_steps_max(static_cast<std::uint32_t>(limits.ray_march_steps_max));
+    message.set_band_max(static_cast<std::uint32_t>(kLmaxLimit));
+    message.set_tensor_order_max(static_cast<std::uint32_t>(kTensorOrderMax));
     message.set_samples_max(static_cast<std::uint32_t>(limits.samples_max));
     message.set_layers_max(static_cast<std::uint32_t>(limits.layers_max));
     message.set_views_max(static_cast<std::uint32_t>(limits.views_max));

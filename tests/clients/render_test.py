@@ -112,7 +112,7 @@ class RenderTest(ClientTest):
             ("polynomial", "--polynomial-stop", "step", "--tolerance", "0.01", "--lmax", "4"):
                 ("polynomial", {"polynomial": {"stop": "step", "tolerance": 0.01}}),
             ("polynomial-double", "--lmax", "4"): ("polynomial-double", {"polynomial": {"stop": "bracket", "tolerance": 1e-12}}),
-            ("laguerre", "--lmax", "4"): ("laguerre", {"polynomial": {"tolerance": 0.001}}),
+            ("laguerre", "--lmax", "4"): ("laguerre", {"polynomial": {"stop": "unspecified", "tolerance": 0.001}}),
             ("ray-march-peeters", "--march-steps", "50", "--refinements", "6", "--lmax", "4"):
                 ("ray-march-peeters", {"ray_march": {"steps": 50, "refinements": 6}}),
             ("ray-march-van-almsick", "--lmax", "4"):

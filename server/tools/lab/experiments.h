@@ -13,6 +13,8 @@ Report glyphPareto(gpu::Device& device, const Options& options);
 Report petersBounds(gpu::Device& device, const Options& options);
 Report petersFig1(gpu::Device& device, const Options& options);
 Report petersFig3(gpu::Device& device, const Options& options);
+Report petersFig6(gpu::Device& device, const Options& options);
+Report petersTable1(gpu::Device& device, const Options& options);
 Report petersFig7(gpu::Device& device, const Options& options);
 Report hlawitschkaTable1(gpu::Device& device, const Options& options);
 Report hlawitschkaTable2(gpu::Device& device, const Options& options);

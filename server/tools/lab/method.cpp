@@ -26,17 +26,6 @@ Method byName(model::Intersection intersection) {
     return {name, name, [intersection](model::Quality& quality) { quality.intersection = intersection; }};
 }
 
-/// \param per_ray  coefficients rotated for each ray, not once for the camera
-Method rayMarch(model::Intersection intersection, int steps, bool per_ray) {
-    const std::string family(model::methodName(intersection));
-    const std::string name = family + ", " + std::to_string(steps) + " steps" + (per_ray ? ", rotated per ray" : "");
-    return {name, family, [intersection, steps, per_ray](model::Quality& quality) {
-                quality.intersection = intersection;
-                quality.ray_march.steps = steps;
-                quality.pole_table = per_ray ? model::PoleTable::kOff : model::PoleTable::kOn;
-            }};
-}
-
 /// The march again, once per fragment of drawn boxes.
 Method rasterBoxes(const std::string& name, model::PoleTable table) {
     return {name, "raster boxes", [table](model::Quality& quality) {
@@ -68,6 +57,16 @@ void addRasterMethods(std::vector<Method>& methods) {
 }
 
 }  // namespace
+
+Method rayMarch(model::Intersection intersection, int steps, bool per_ray) {
+    const std::string family(model::methodName(intersection));
+    const std::string name = family + ", " + std::to_string(steps) + " steps" + (per_ray ? ", rotated per ray" : "");
+    return {name, family, [intersection, steps, per_ray](model::Quality& quality) {
+                quality.intersection = intersection;
+                quality.ray_march.steps = steps;
+                quality.pole_table = per_ray ? model::PoleTable::kOff : model::PoleTable::kOn;
+            }};
+}
 
 std::vector<Method> glyphMethods(ShLayout layout) {
     std::vector<Method> methods = {march("march", model::PoleTable::kOff), march("march, pole table", model::PoleTable::kOn)};

@@ -16,6 +16,9 @@ struct Method {
     std::function<void(model::Quality&)> set;
 };
 
+/// Equal steps along the ray, as before Peters et al. \param per_ray  coefficients rotated for each ray, not once for the
+/// camera
+Method rayMarch(model::Intersection intersection, int steps, bool per_ray);
 /// All that can draw glyphs of this layout, the march first.
 std::vector<Method> glyphMethods(ShLayout layout);
 /// Those whose name begins so, in the order of `names`. \throws Error(kInternal) for a name that no method has

@@ -2,9 +2,15 @@
 // alternate between entries and exits, beginning with what the start of the ray demands; no walk gives up. Held against the
 // reference: the same crossings in the same order, each within 2e-5 radii of its surface (measured along the normal), except
 // for pairs closer together than kPairRadii, which may be missing or surplus; and the length within the glyph to 5e-5 radii.
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <optional>
 
+#include "build/phantom.h"
 #include "gpu/functions/march_runner.h"
+#include "math/sh_convention.h"
+#include "support/npz.h"
 
 namespace radiata {
 namespace {
@@ -162,6 +168,75 @@ TEST_F(AllHits, AreThoseOfTheReference) {
             EXPECT_LE(tally.other_count, 10) << nameOf(layout);
             EXPECT_LT(tally.length, 5e-5) << nameOf(layout);
             EXPECT_GT(tally.most, std::size_t(layout.lmax / 2)) << nameOf(layout);
+        }
+    }
+}
+
+/// Glyphs of a brain with rays for each.
+struct BrainGlyphs {
+    std::vector<std::vector<float>> glyphs;
+    std::vector<std::vector<RayInput>> rays;
+};
+
+BrainGlyphs phantomGlyphs(int lmax) {
+    PhantomOptions options;
+    options.size = 20;
+    options.lmax = lmax;
+    options.noise = 0.02;
+    const model::ShImage image = phantomShImage(options);
+    std::mt19937 random(43);
+    BrainGlyphs brain;
+    for (std::size_t g = 0; g < 12; ++g) {
+        const float* first = &image.coefficients[g * image.voxels.size() / 12 * image.layout.count()];
+        brain.glyphs.emplace_back(first, first + image.layout.count());
+        brain.rays.push_back(randomRays(random, 64, 0, 0.5F));
+    }
+    return brain;
+}
+
+/// The rays of a file of measured glyphs that do not graze.
+BrainGlyphs measuredGlyphs(const std::filesystem::path& path, int lmax) {
+    const testing::NpzFile file(path);
+    const ShLayout layout{lmax, false};
+    const auto coefficients = file.array("coef_mrtrix"), origins = file.array("ray_o"), directions = file.array("ray_d"),
+               graze = file.array("graze");
+    const std::size_t glyphs = graze.shape.at(0), rays = graze.shape.at(1);
+    const auto vectorAt = [](const testing::NpyArray& array, std::size_t i) {
+        return glm::vec3(array.values[3 * i], array.values[3 * i + 1], array.values[3 * i + 2]);
+    };
+    BrainGlyphs brain;
+    for (std::size_t g = 0; g < glyphs; ++g) {
+        const auto first = coefficients.values.begin() + std::ptrdiff_t(g * layout.count());
+        std::vector<float>& glyph = brain.glyphs.emplace_back(first, first + std::ptrdiff_t(layout.count()));
+        convertSh(std::span<float>(glyph), layout, ShConvention::kTournier07, ShConvention::kDescoteaux07);
+        std::vector<RayInput>& own = brain.rays.emplace_back();
+        for (std::size_t r = g * rays; r < (g + 1) * rays; ++r) {
+            if (graze.values[r] == 0) own.push_back({vectorAt(origins, r), -1e3F, vectorAt(directions, r), 1});
+        }
+    }
+    return brain;
+}
+
+// The reference itself is held against the file's hits, signs and normals by MeasuredGlyphs.AgreeWithReferenceValues.
+TEST_F(AllHits, OfGlyphsOfABrainAreThoseOfTheReference) {
+    const char* folder = std::getenv("RADIATA_DATA");
+    for (const int lmax : {4, 8, 12}) {
+        std::vector<std::pair<const char*, BrainGlyphs>> sources{{"phantom", phantomGlyphs(lmax)}};
+        if (folder != nullptr && *folder != 0) {
+            const std::string name = "xa140_fod" + std::to_string(lmax) + "_geometry.npz";
+            sources.emplace_back("measured", measuredGlyphs(std::filesystem::path(folder) / "refs" / name, lmax));
+        }
+        // Bands that a glyph does not have are zero.
+        const ShLayout layout{lmax == 12 ? 16 : lmax, false};
+        for (auto& [name, brain] : sources) {
+            Tally tally;
+            for (std::size_t g = 0; g < brain.glyphs.size(); ++g) {
+                brain.glyphs[g].resize(layout.count(), 0);
+                if (!brain.rays[g].empty()) compare(layout, brain.glyphs[g], brain.rays[g], tally);
+            }
+            print(name, layout, tally);
+            EXPECT_EQ(tally.wrong, 0) << name << ", k " << lmax;
+            EXPECT_GT(tally.rays, 700) << name << ", k " << lmax;
         }
     }
 }
