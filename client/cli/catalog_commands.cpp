@@ -85,6 +85,7 @@ std::string describe(const v1::Dataset& entry) {
     };
     if (scalar) {
         rows.push_back({"values", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)});
+        rows.push_back({"voxels without a value", std::to_string(entry.rejected_voxels())});
     } else {
         addGlyphRows(entry, rows);
     }

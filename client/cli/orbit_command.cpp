@@ -74,7 +74,7 @@ void orbit(const ConnectionOptions& connection_options, const Options& options) 
     makeFolder(options.folder);
     if (!options.write_path.empty()) checkWritable(options.write_path);
     const Connection connection(connection_options);
-    completeRequest(request, connection);
+    completeRequest(request, connection, options.request.plane);
     if (cameras.empty()) cameras = turn(options, request.camera());
     if (!options.write_path.empty()) writeFile(options.write_path, cameraPathToJson(cameras).dump(1) + "\n");
     Progress progress(static_cast<int>(cameras.size()), options.quiet);

@@ -50,13 +50,22 @@ std::string describe(const v1::PickedGlyph& glyph) {
     return formatTable({"picked", ""}, rows);
 }
 
+std::string describe(const v1::PickedSurface& surface) {
+    return formatTable({"picked", ""}, {{"layer", std::to_string(surface.layer()) + " (" + surface.dataset_id() + ")"},
+                                        {"voxel", std::to_string(surface.voxel(0)) + ", " + std::to_string(surface.voxel(1)) +
+                                                      ", " + std::to_string(surface.voxel(2))},
+                                        {"position mm", vectorText(surface.position_mm(), 3)},
+                                        {"normal", vectorText(surface.normal(), 4)},
+                                        {"value", formatNumber(surface.value(), 5)}});
+}
+
 void pick(const ConnectionOptions& connection_options, const Options& options) {
     v1::PickRequest request;
     *request.mutable_request() = makeRequest(options.request);
     request.set_x(options.pixel[0]);
     request.set_y(options.pixel[1]);
     const Connection connection(connection_options);
-    completeRequest(*request.mutable_request(), connection);
+    completeRequest(*request.mutable_request(), connection, options.request.plane);
     grpc::ClientContext context;
     connection.prepare(context);
     v1::PickResponse response;
@@ -64,7 +73,9 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
     if (options.json) {
         writeFile("-", messageToJson(response).dump(2) + "\n");
     } else {
-        writeFile("-", response.has_glyph() ? describe(response.glyph()) : "nothing lies under this pixel\n");
+        writeFile("-", response.has_glyph()     ? describe(response.glyph())
+                       : response.has_surface() ? describe(response.surface())
+                                                : "nothing lies under this pixel\n");
     }
 }
 

@@ -80,7 +80,7 @@ void render(const ConnectionOptions& connection_options, const Options& options)
     v1::FrameRequest request = makeRequest(options.request);
     checkOptions(options);
     const Connection connection(connection_options);
-    completeRequest(request, connection);
+    completeRequest(request, connection, options.request.plane);
     const v1::Frame frame = options.stream ? streamPicture(connection, request)
                                            : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
     if (frame.image().empty()) throw ClientError(ExitCode::kRefused, "the server's frame has no picture");

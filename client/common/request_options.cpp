@@ -157,6 +157,37 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
 }
 
+void setGlyphLayer(v1::Layer& layer, const RequestOptions& options) {
+    if (options.opacity) layer.set_opacity(*options.opacity);
+    if (options.no_casting) layer.set_casts_shadows(false);
+    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
+    glyphs.set_dataset_id(options.dataset);
+    setSelection(*glyphs.mutable_selection(), options);
+    glyphs.mutable_scale()->set_mode(options.scale);
+    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
+    if (options.lmax) glyphs.set_lmax(*options.lmax);
+    glyphs.set_negative_lobes(options.lobes);
+    setColour(glyphs, options);
+    setUncertainty(glyphs, options.uncertainty);
+    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
+}
+
+/// What a default camera has to show: the first isosurface's volume seen along the plane's normal, or else the glyphs.
+v1::FitCameraRequest cameraWish(const v1::Scene& scene, v1::Plane plane) {
+    v1::FitCameraRequest fit;
+    for (const v1::Layer& layer : scene.layers()) {
+        if (!layer.has_isosurface()) continue;
+        fit.set_dataset_id(layer.isosurface().dataset_id());
+        fit.mutable_selection()->mutable_slice()->set_plane(plane == v1::PLANE_OBLIQUE ? v1::PLANE_AXIAL : plane);
+        return fit;
+    }
+    v1::Layer first = scene.layers(0);
+    const v1::GlyphLayer& glyphs = glyphsOf(first);
+    fit.set_dataset_id(glyphs.dataset_id());
+    *fit.mutable_selection() = glyphs.selection();
+    return fit;
+}
+
 }  // namespace
 
 void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera) {
@@ -183,6 +214,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addVector(app, "--uniform-colour", options.uniform_colour, "Colour of --colour uniform, linear RGB 0 to 1 (default grey)")
         ->type_name("R,G,B");
     addTensorOptions(app, options.tensors);
+    addIsosurfaceOptions(app, options.isosurfaces);
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
     addUncertaintyOptions(app, options.uncertainty);
     app.add_option("--isotropic", options.isotropic_part,
@@ -224,20 +256,9 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::FrameRequest request;
     setSize(request, options.size);
     v1::Scene& scene = *request.mutable_scene();
-    v1::Layer& layer = *scene.add_layers();
-    if (options.opacity) layer.set_opacity(*options.opacity);
-    if (options.no_casting) layer.set_casts_shadows(false);
-    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
-    glyphs.set_dataset_id(options.dataset);
-    setSelection(*glyphs.mutable_selection(), options);
-    glyphs.mutable_scale()->set_mode(options.scale);
-    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
-    if (options.lmax) glyphs.set_lmax(*options.lmax);
-    glyphs.set_negative_lobes(options.lobes);
-    setColour(glyphs, options);
+    if (options.isosurfaces.layers.empty() || !options.dataset.empty()) setGlyphLayer(*scene.add_layers(), options);
+    setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
-    setUncertainty(glyphs, options.uncertainty);
-    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);
@@ -246,14 +267,15 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     return request;
 }
 
-void completeRequest(v1::FrameRequest& request, const Connection& connection) {
+void completeRequest(v1::FrameRequest& request, const Connection& connection, v1::Plane plane) {
     const auto stub = v1::CatalogService::NewStub(connection.channel());
-    v1::GlyphLayer& glyphs = glyphsOf(*request.mutable_scene()->mutable_layers(0));
-    if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
+    v1::Layer& first = *request.mutable_scene()->mutable_layers(0);
+    if (!first.has_isosurface()) {
+        v1::GlyphLayer& glyphs = glyphsOf(first);
+        if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
+    }
     if (request.has_camera()) return;
-    v1::FitCameraRequest fit;
-    fit.set_dataset_id(glyphs.dataset_id());
-    *fit.mutable_selection() = glyphs.selection();
+    v1::FitCameraRequest fit = cameraWish(request.scene(), plane);
     fit.set_convention(request.scene().annotations().convention());
     // Kept within what FitCamera takes, so that an impossible size is refused where the picture is asked for, as a size.
     fit.set_aspect(std::clamp(static_cast<double>(request.width()) / std::max(request.height(), 1U), 0.05, 20.0));

@@ -12,6 +12,7 @@
 #include "radiata/v1/frame.pb.h"
 
 #include "common/connection.h"
+#include "common/isosurface_options.h"
 #include "common/light_options.h"
 #include "common/tensor_options.h"
 #include "common/uncertainty_options.h"
@@ -37,6 +38,7 @@ struct RequestOptions {
     std::string colour_image;
     std::vector<double> uniform_colour;
     TensorOptions tensors;
+    IsosurfaceOptions isosurfaces;
     std::optional<float> opacity;
     UncertaintyOptions uncertainty;
     std::optional<float> isotropic_part;
@@ -70,7 +72,8 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
 v1::FrameRequest makeRequest(const RequestOptions& options);
 
 /// Fills in what only the server knows: the dataset if there is one only, and the camera that fits it unless one is set.
+/// \param plane  isosurfaces are looked at along its normal
 /// \throws ClientError(kUsage) if no dataset was named and the server has none or several
-void completeRequest(v1::FrameRequest& request, const Connection& connection);
+void completeRequest(v1::FrameRequest& request, const Connection& connection, v1::Plane plane);
 
 }  // namespace radiata::client

@@ -103,7 +103,7 @@ int body(int argc, char** argv) {
     if (!options.json.empty()) checkWritable(options.json);
     if (options.window) open.set_window(*options.window);
     const Connection connection(options.connection);
-    completeRequest(*open.mutable_frame(), connection);
+    completeRequest(*open.mutable_frame(), connection, options.request.plane);
     if (cameras.empty()) cameras = orbitPath(open.frame().camera(), 360, 1, 0);
     const std::string drawn_by = device(connection);
     const Report report = makeReport(runLoad(options.connection.address, open, cameras, options.schedule), options.schedule);

@@ -25,7 +25,7 @@ struct DatasetInfo {
     int tensor_order = 0;       ///< 2 to 12: the file held tensors, the layout has their bands; 0: it held spherical harmonics
     std::string tensor_format;  ///< how a tensor file was read: "mrtrix", "voigt-stiffness", ...
     std::uint64_t glyph_count = 0;
-    std::uint64_t rejected_voxels = 0;
+    std::uint64_t rejected_voxels = 0;  ///< a coefficient is not finite; of scalar volumes: NaN, infinite or beyond 3e38
     float amplitude_max = 0;
     float amplitude_typical = 0;  ///< three quarters of the glyphs stay below it; what global scaling divides by
     std::uint64_t gpu_bytes = 0;

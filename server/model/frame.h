@@ -37,6 +37,7 @@ struct Quality {
     PolynomialSettings polynomial;  ///< of the methods by polynomials
     RayMarchSettings ray_march;     ///< of the marches with equal steps
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
+    IsosurfaceSettings isosurface;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

@@ -78,7 +78,24 @@ void checkContent(const GlyphLayer& glyphs, const std::string& where) {
 }
 
 void checkContent(const TractogramLayer& /*tracts*/, const std::string& /*where*/) {}
-void checkContent(const IsosurfaceLayer& /*surface*/, const std::string& /*where*/) {}
+void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
+    if (surface.isovalue && !std::isfinite(*surface.isovalue)) {
+        refuse(where + ".isovalue is " + std::to_string(*surface.isovalue) + "; it must be a finite value of the volume");
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (surface.colour[c] >= 0 && surface.colour[c] <= 1) continue;
+        refuse(where + ".colour." + "xyz"[c] + " is " + std::to_string(surface.colour[c]) + "; it must be 0 to 1");
+    }
+}
+
+void checkIsosurfaces(const IsosurfaceSettings& settings) {
+    if (!(settings.step >= 0.05F && settings.step <= 4)) {
+        refuse("quality.isosurface.step is " + std::to_string(settings.step) + "; it must be 0.05 to 4 voxel edges");
+    }
+    if (settings.bisections < 0 || settings.bisections > 32) {
+        refuse("quality.isosurface.bisections is " + std::to_string(settings.bisections) + "; it must be 0 to 32");
+    }
+}
 
 void checkLayer(const Layer& layer, const std::string& where) {
     const std::string content = where + (layer.ifGlyphs() ? ".glyphs" : layer.ifTracts() ? ".tractogram" : ".isosurface");
@@ -194,6 +211,7 @@ void validate(const FrameRequest& request, const Limits& limits) {
         refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
     }
     checkTensorMarch(request.quality.tensor_march);
+    checkIsosurfaces(request.quality.isosurface);
     if (request.quality.intersection == Intersection::kTessellated) validate(request.quality.tessellation);
     checkMethod(request.quality, limits);
     checkScene(request.scene, limits);

@@ -1,7 +1,8 @@
-// What lies under a pixel: a point on a glyph, its function and its peaks.
+// What lies under a pixel: a point on a glyph, its function and its peaks; or a point on an isosurface.
 #pragma once
 
 #include <string>
+#include <variant>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -34,5 +35,16 @@ struct PickedGlyph {
     double peak_angle_deg = 0;  ///< from the direction to that peak
     std::vector<Peak> peaks;    ///< the largest first; of even layouts the end nearer to the direction
 };
+
+struct PickedSurface {
+    int layer = 0;
+    std::string dataset_id;
+    glm::ivec3 voxel{0};        ///< nearest to the position
+    glm::dvec3 position_mm{0};  ///< on the surface, world
+    glm::dvec3 normal{0};       ///< unit, world axes, towards the viewer
+    double value = 0;           ///< of the trilinear volume there
+};
+
+using Picked = std::variant<PickedGlyph, PickedSurface>;
 
 }  // namespace radiata::model

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "math/colour_map.h"
+#include "model/isosurface_layer.h"
 
 namespace radiata::model {
 
@@ -87,12 +88,6 @@ struct GlyphLayer {
 struct TractogramLayer {
     std::string dataset_id;
     bool operator==(const TractogramLayer&) const = default;
-};
-
-/// The surface of one value of a scalar volume.
-struct IsosurfaceLayer {
-    std::string dataset_id;
-    bool operator==(const IsosurfaceLayer&) const = default;
 };
 
 struct Layer {

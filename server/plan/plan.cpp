@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/method_plan.h"
+#include "plan/plan_isosurface.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
@@ -167,10 +168,14 @@ void resolveMethod(model::Quality& quality, bool uses_table) {
 /// Passes of the layer that writes the surface buffer first need nothing from it.
 void markFirst(std::vector<PassPlan>& passes) {
     const auto writes = [](const PassPlan& pass) {
-        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface;
+        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface ||
+               pass.kind == PassKind::kIsosurfaceTrace;
     };
     const auto first = std::ranges::find_if(passes, writes);
-    if (first == passes.end()) return;
+    if (first == passes.end()) {
+        passes.insert(passes.begin(), {PassKind::kClear, "clear", "clear", -1});
+        return;
+    }
     for (PassPlan& pass : passes) pass.first = pass.layer == first->layer;
 }
 
@@ -212,6 +217,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         plan.layer_kinds |= 1U << request.scene.layers[i].content.index();
         if (!request.scene.layers[i].ifGlyphs()) {
             plan.glyphs.emplace_back();
+            if (request.scene.layers[i].ifSurface()) planIsosurface(plan, i, layers[i]);
             continue;
         }
         const std::string where = "scene.layers[" + std::to_string(i) + "].glyphs";
@@ -241,6 +247,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         plan.glyphs.push_back(std::move(glyphs));
     }
     markFirst(plan.passes);
+    planVeil(plan);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);

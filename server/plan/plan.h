@@ -32,7 +32,8 @@ struct LayerFacts {
     double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
     double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
     double radius_typical_mm = 0;         ///< of the typical amplitude
-    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer, if there is one
+    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer or is its isosurface, if there is one
+    double value_split = 0;               ///< of an isosurface's volume: what splits it best in two
     bool odd_bands_only = false;          ///< all even bands of a full layout are 0
     bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
     double voxel_edge_mm = 0;             ///< the shortest
@@ -68,7 +69,10 @@ enum class PassKind {
     kGlyphBoxes,       ///< boxes drawn, one march per fragment
     kGlyphTessellate,  ///< runs part by part together with the next
     kGlyphMesh,
-    kRasterSurface,  ///< what was drawn, into the surface buffer
+    kRasterSurface,    ///< what was drawn, into the surface buffer
+    kClear,            ///< an empty surface buffer, where no pass writes all of it
+    kIsosurfaceTrace,  ///< first hits of an opaque isosurface
+    kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
     kSunTable,
     kShadow,
     kOcclusion,
@@ -99,6 +103,9 @@ struct FramePlan {
     std::string pole_table_reason;
     bool uses_pole_table = false;
 
+    bool usesVeil() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+    }
     bool usesUncertainty() const {
         return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });
     }

@@ -3,8 +3,9 @@
 
 namespace radiata::service {
 
-v1::PickResponse toProto(const model::PickedGlyph& picked) {
-    v1::PickResponse message;
+namespace {
+
+void fill(v1::PickResponse& message, const model::PickedGlyph& picked) {
     v1::PickedGlyph& glyph = *message.mutable_glyph();
     glyph.set_layer(static_cast<std::uint32_t>(picked.layer));
     glyph.set_dataset_id(picked.dataset_id);
@@ -21,6 +22,23 @@ v1::PickResponse toProto(const model::PickedGlyph& picked) {
         *added.mutable_direction() = toProto(peak.direction);
         added.set_amplitude(peak.amplitude);
     }
+}
+
+void fill(v1::PickResponse& message, const model::PickedSurface& picked) {
+    v1::PickedSurface& surface = *message.mutable_surface();
+    surface.set_layer(static_cast<std::uint32_t>(picked.layer));
+    surface.set_dataset_id(picked.dataset_id);
+    for (int axis = 0; axis < 3; ++axis) surface.add_voxel(static_cast<std::uint32_t>(picked.voxel[axis]));
+    *surface.mutable_position_mm() = toProto(picked.position_mm);
+    *surface.mutable_normal() = toProto(picked.normal);
+    surface.set_value(picked.value);
+}
+
+}  // namespace
+
+v1::PickResponse toProto(const model::Picked& picked) {
+    v1::PickResponse message;
+    std::visit([&message](const auto& what) { fill(message, what); }, picked);
     return message;
 }
 

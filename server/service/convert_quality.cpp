@@ -88,6 +88,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     result.intersection = methodOf(quality.intersection());
     result.tessellation = fromProto(quality.tessellation(), where + ".tessellation");
+    result.isosurface = fromProto(quality.isosurface(), where + ".isosurface");
     result.tensor_march = fromProto(quality.tensor_march(), where + ".tensor_march");
     readPolynomial(quality.polynomial(), where + ".polynomial", result.polynomial);
     if (quality.ray_march().has_steps())
@@ -122,6 +123,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
 v1::Quality toProto(const model::Quality& quality) {
     v1::Quality message;
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
+    *message.mutable_isosurface() = toProto(quality.isosurface);
     message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
     message.set_intersection(methodOf(quality.intersection));
     setMethodSettings(message, quality);

@@ -139,13 +139,15 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
     for (int i = 0; i < scene.layers_size(); ++i) {
         const v1::Layer& layer = scene.layers(i);
         const std::string layer_where = where + ".layers[" + std::to_string(i) + "]";
-        if (!layer.has_glyphs() && !layer.has_tensor_glyphs())
-            refuse(layer_where + ".glyphs is missing; a layer has glyphs or tensor_glyphs");
+        if (layer.content_case() == v1::Layer::CONTENT_NOT_SET)
+            refuse(layer_where + ".glyphs is missing; a layer has glyphs, tensor_glyphs or isosurface");
         model::Layer& added = result.layers.emplace_back();
         if (layer.has_tensor_glyphs()) {
             const v1::TensorGlyphLayer& tensors = layer.tensor_glyphs();
             added.glyphs() = fromGlyphs(tensors.glyphs(), layer_where + ".tensor_glyphs.glyphs");
             added.glyphs().tensor = fromProto(tensors.shape(), layer_where + ".tensor_glyphs.shape");
+        } else if (layer.has_isosurface()) {
+            added.content = fromProto(layer.isosurface());
         } else {
             added.glyphs() = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
         }
@@ -163,7 +165,9 @@ v1::Scene toProto(const model::Scene& scene) {
     v1::Scene message;
     for (const model::Layer& layer : scene.layers) {
         v1::Layer* added = message.add_layers();
-        if (layer.glyphs().tensor) {
+        if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
+            *added->mutable_isosurface() = service::toProto(*surface);
+        } else if (layer.glyphs().tensor) {
             *added->mutable_tensor_glyphs()->mutable_glyphs() = toProto(layer.glyphs());
             added->mutable_tensor_glyphs()->set_shape(toProto(*layer.glyphs().tensor));
         } else {

@@ -38,11 +38,11 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
         // The ray is traced by the render thread, peaks are searched by the worker, so that no view waits for them.
         conductor_.post([this, call, picture, x, y] {
             try {
-                auto glyph = conductor_.backend().pick(picture, x, y);
-                if (!glyph) return call->answer(v1::PickResponse());
-                worker_.post([call, picked = std::move(*glyph)]() mutable {
+                auto found = conductor_.backend().pick(picture, x, y);
+                if (!found) return call->answer(v1::PickResponse());
+                worker_.post([call, picked = std::move(*found)]() mutable {
                     try {
-                        findPeaks(picked);
+                        if (auto* glyph = std::get_if<model::PickedGlyph>(&picked)) findPeaks(*glyph);
                         call->answer(toProto(picked));
                     } catch (...) {
                         call->refuse(currentStatus());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.h"
+#include "build/volume_bricks.h"
 
 namespace radiata::store {
 namespace {
@@ -30,7 +31,10 @@ ScalarDataset::ScalarDataset(const std::string& id, model::ScalarImage image) : 
     info_.voxel_to_world = image_.voxel_to_world;
     float low = std::numeric_limits<float>::infinity(), high = -low;
     for (const float value : image_.values) {
-        if (!std::isfinite(value)) continue;
+        if (!hasValue(value)) {
+            ++info_.rejected_voxels;
+            continue;
+        }
         low = std::min(low, value);
         high = std::max(high, value);
     }

@@ -13,6 +13,7 @@
 #include "io/tensor_image.h"
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::store {
 namespace {
@@ -71,6 +72,7 @@ struct Store::Impl {
         std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
         std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these two, once it is loaded
         std::shared_ptr<const ScalarDataset> scalars;
+        std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
     };
     gpu::Device& device;
     io::ShOptions options;
@@ -180,6 +182,17 @@ std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id) {
         throw Error(Code::kInvalidArgument, "dataset '" + id + "' is an SH image; colours are taken from a scalar volume");
     }
     return slot->scalars;
+}
+
+std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->scalars) {
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is no scalar volume; isosurfaces need one");
+    }
+    if (!slot->volume) slot->volume = std::make_shared<const VolumeDataset>(impl_->device, slot->scalars->image());
+    return slot->volume;
 }
 
 model::DatasetInfo Store::info(const std::string& id) {

@@ -21,6 +21,7 @@ namespace radiata::store {
 
 class GlyphDataset;
 class ScalarDataset;
+class VolumeDataset;
 
 struct CatalogEntry {
     std::string id;
@@ -52,6 +53,8 @@ public:
     /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
     std::shared_ptr<const ScalarDataset> scalars(const std::string& id);
+    /// A scalar volume on the device, for isosurfaces; put there by the first call.
+    std::shared_ptr<const VolumeDataset> volume(const std::string& id);
 
 private:
     struct Impl;

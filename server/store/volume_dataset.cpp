@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/error.h"
+#include "build/otsu.h"
 #include "build/volume_bricks.h"
 #include "gpu/device.h"
 
@@ -31,11 +32,14 @@ VolumeDataset::VolumeDataset(gpu::Device& device, const model::ScalarImage& imag
     const VolumeBricks bricks = buildVolumeBricks(image);
     value_min_ = bricks.value_min;
     value_max_ = bricks.value_max;
+    grid_to_world_ = image.voxel_to_world;
+    world_to_grid_ = glm::inverse(grid_to_world_);
     no_value_ = bricks.no_value;
     if (no_value_ == image.values.size()) {
         throw Error(Code::kInvalidArgument, image.source + ": none of the " + std::to_string(no_value_) +
                                                 " voxels is a finite number; an isosurface needs some");
     }
+    value_split_ = splitValue(image, value_min_, value_max_);
     samples_ = gpu::Buffer(device, image.values.size() * sizeof(float), gpu::Memory::kDevice, "volume " + image.source);
     uploadSamples(device, samples_, image.values);
     const auto brick_bytes = std::as_bytes(std::span(bricks.bricks.ranges));

@@ -19,6 +19,11 @@ public:
     const shader::VolumeParams& params() const { return params_; }
     float valueMin() const { return value_min_; }
     float valueMax() const { return value_max_; }
+    /// What splits the values best in two: the isovalue of those who ask for none.
+    float valueSplit() const { return value_split_; }
+    /// Sample (i, j, k) lies at (i, j, k).
+    glm::dvec3 worldToGrid(const glm::dvec3& p_mm) const { return glm::dvec3(world_to_grid_ * glm::dvec4(p_mm, 1)); }
+    glm::dvec3 gridToWorld(const glm::dvec3& p_grid) const { return glm::dvec3(grid_to_world_ * glm::dvec4(p_grid, 1)); }
     /// Voxels that are NaN, infinite or beyond 3e38: cells with one of them in a corner have no surface.
     std::uint64_t noValue() const { return no_value_; }
     std::uint64_t gpuBytes() const { return samples_.sizeBytes() + ranges_.sizeBytes(); }
@@ -26,7 +31,8 @@ public:
 private:
     gpu::Buffer samples_, ranges_;
     shader::VolumeParams params_{};
-    float value_min_ = 0, value_max_ = 0;
+    glm::dmat4 grid_to_world_{1.0}, world_to_grid_{1.0};
+    float value_min_ = 0, value_max_ = 0, value_split_ = 0;
     std::uint64_t no_value_ = 0;
 };
 

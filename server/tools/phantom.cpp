@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "build/phantom.h"
+#include "build/phantom_anatomy.h"
 #include "build/stiffness_field.h"
 #include "io/nifti_write.h"
 #include "io/sh_write.h"
@@ -24,7 +25,8 @@ using radiata::Error;
 using radiata::Phantom;
 
 struct Files {
-    std::filesystem::path image, labels, bundles;
+    std::filesystem::path image, labels, bundles, anatomy;
+    double anatomy_voxel_mm = 1.5;
 };
 
 radiata::io::Volume labelVolume(const Phantom& phantom) {
@@ -36,6 +38,16 @@ radiata::io::Volume labelVolume(const Phantom& phantom) {
     volume.source = "labels";
     volume.data.assign(labels.begin(), labels.end());
     return volume;
+}
+
+void writeAnatomy(std::uint64_t seed, double voxel_mm, const std::filesystem::path& path) {
+    radiata::model::ScalarImage image = radiata::phantomAnatomy(seed, voxel_mm);
+    radiata::io::Volume volume;
+    volume.size = {image.size.x, image.size.y, image.size.z, 1};
+    volume.voxel_to_world = image.voxel_to_world;
+    volume.source = image.source;
+    volume.data = std::move(image.values);
+    radiata::io::writeNifti(volume, path);
 }
 
 void writeBundles(const Phantom& phantom, const std::filesystem::path& path) {
@@ -79,10 +91,12 @@ void checkNiftiName(const std::filesystem::path& path) {
 void make(const radiata::PhantomOptions& options, const Files& files) {
     checkNiftiName(files.image);
     if (!files.labels.empty()) checkNiftiName(files.labels);
+    if (!files.anatomy.empty()) checkNiftiName(files.anatomy);
     const Phantom phantom(options);
     const radiata::model::ShImage image = phantom.shImage();
     radiata::io::writeNifti(radiata::io::shVolume(image, radiata::ShConvention::kTournier07), files.image);
     if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
+    if (!files.anatomy.empty()) writeAnatomy(options.seed, files.anatomy_voxel_mm, files.anatomy);
     if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
     std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",
                 files.image.c_str(), image.size.x, image.size.y, image.size.z, image.voxel_to_world[0][0], image.voxels.size(),
@@ -114,6 +128,12 @@ int main(int argc, char** argv) {
         ->excludes(brick);
     app.add_option("--labels", files.labels, "write the id of each voxel's strongest bundle, .nii or .nii.gz")->excludes(brick);
     app.add_option("--bundles", files.bundles, "write ids and names of the bundles as JSON")->excludes(brick);
+    auto* anatomy = app.add_option("--anatomy", files.anatomy,
+                                   "write a scalar volume somewhat like a T1 image, for isosurfaces, .nii or .nii.gz")
+                        ->excludes(brick);
+    app.add_option("--anatomy-voxel", files.anatomy_voxel_mm, "edge of its voxels in mm, 0.25 to 20")
+        ->capture_default_str()
+        ->needs(anatomy);
     CLI11_PARSE(app, argc, argv);
     try {
         if (stiffness) {

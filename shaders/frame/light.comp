@@ -12,6 +12,7 @@
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
+layout(constant_id = 5) const bool kVeil = false;       // transparent isosurfaces stand before everything
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -20,6 +21,7 @@ layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; }
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
+layout(buffer_reference, scalar) readonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 
 layout(push_constant, scalar) uniform Push {
@@ -30,6 +32,7 @@ layout(push_constant, scalar) uniform Push {
     BitBuffer shadow_bits;     // blocked rays of each pixel; not read where the scene has no such rays
     BitBuffer occlusion_bits;
     MediumBuffer media;  // not read without kMedia
+    VeilBuffer veil;     // not read without kVeil
 } push;
 
 bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
@@ -52,12 +55,17 @@ void main() {
         const LayerLook look = push.looks.at[surface.layer_and_steps >> 24u];
         vec3 base = vec3(0.5);
         if (isKind(look, LAYER_GLYPHS)) base = glyphColour(frame, look, surface.who, ray, surface.depth);
+        if (isKind(look, LAYER_SURFACE)) base = baseColour(look, surface.who, vec3(1.0));
         const vec3 lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         radiance = mix(radiance, lit, look.opacity);
     }
     if (kMedia) {
         const Medium medium = push.media.at[at];
         radiance = throughMedium(radiance, medium.weighted_emission, medium.optical_depth);
+    }
+    if (kVeil) {
+        const vec4 veil = push.veil.at[at];
+        radiance = veil.rgb + veil.a * radiance;
     }
     // Samples are averaged as they are shown, so bright highlights do not leave jagged edges.
     radiance = min(radiance, vec3(1.0));

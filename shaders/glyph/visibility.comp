@@ -5,10 +5,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/glyph/layer.glsl"
-#include "shaders/common/cosine_hemisphere.glsl"
 #include "shaders/common/glyph_occlusion.glsl"
-#include "shaders/common/projected_cap.glsl"
-#include "shaders/common/ray_samples.glsl"
 
 const uint kHardRays = 0u, kSoftRays = 1u, kAmbientRays = 2u;
 layout(constant_id = 20) const uint kRays = 0u;
@@ -16,6 +13,7 @@ layout(constant_id = 21) const bool kSunTable = false;    // hard: circles from 
 layout(constant_id = 22) const bool kFirstCaster = true;  // no layer has written bits yet
 layout(constant_id = 23) const uint kRayCount = 1u;       // 1 to 32
 layout(constant_id = 24) const bool kSunTiles = false;     // hard: boxes from the lists along the light's direction
+#include "shaders/common/secondary_rays.glsl"
 #include "shaders/glyph/occluders.glsl"
 
 layout(buffer_reference, scalar) buffer BitBuffer { uint at[]; };
@@ -29,31 +27,12 @@ layout(push_constant, scalar) uniform Push {
     uint first_block_row;  // of this dispatch, in blocks of 8x8 pixels
 } push;
 
-vec3 directions[kRayCount];
 uint capped_rays = 0u;
 
 uvec2 pixelOfInvocation() {
     const uint i = gl_LocalInvocationIndex;
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
-}
-
-// The rays of the pixel; bits of those that need no test are not set.
-uint makeRays(FrameParams frame, vec3 normal, uint at) {
-    if (kRays == kHardRays) {
-        directions[0] = frame.light_direction;
-        return dot(normal, frame.light_direction) > 0.0 ? 1u : 0u;
-    }
-    ProjectedCap cap;
-    if (kRays == kSoftRays) {
-        cap = projectedCap(frame.light_direction, normal, frame.light_sine, frame.light_cosine);
-        if (!(cap.area > 0.0)) return 0u;
-    }
-    for (uint i = 0u; i < kRayCount; ++i) {
-        const vec2 u = raySample(frame.sample_index * kRayCount + i, at);
-        directions[i] = kRays == kSoftRays ? projectedCapSample(cap, u) : cosineHemisphereSample(normal, u);
-    }
-    return 0xffffffffu >> (32u - kRayCount);
 }
 
 // Those of the rays that pass the glyph's box.

@@ -32,9 +32,11 @@ TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
         for (int y = 0; y < request.height; ++y) {
             for (int x = 0; x < request.width; ++x) {
                 const auto at = static_cast<std::size_t>(y * request.width + x);
-                const auto picked = renderer.pick(request, x, y);
-                ASSERT_EQ(picked.has_value(), frame.pixels.id[4 * at] >= 0) << x << ", " << y;
-                if (!picked) continue;
+                const auto answer = renderer.pick(request, x, y);
+                ASSERT_EQ(answer.has_value(), frame.pixels.id[4 * at] >= 0) << x << ", " << y;
+                if (!answer) continue;
+                const auto* picked = std::get_if<model::PickedGlyph>(&*answer);
+                ASSERT_TRUE(picked);
                 ++hits;
                 EXPECT_EQ(picked->layer, frame.pixels.id[4 * at]);
                 EXPECT_EQ(picked->dataset_id, picked->layer == 0 ? "first" : "second");
@@ -83,8 +85,8 @@ TEST_F(Picks, DoNotDependOnHowThePictureIsDrawn) {
     renderer.render(target, request, 0, 1);
     const auto other = renderer.pick(request, 320, 240);
     ASSERT_TRUE(other);
-    EXPECT_EQ(other->position_mm, plain->position_mm);
-    EXPECT_EQ(other->amplitude, plain->amplitude);
+    EXPECT_EQ(std::get<model::PickedGlyph>(*other).position_mm, std::get<model::PickedGlyph>(*plain).position_mm);
+    EXPECT_EQ(std::get<model::PickedGlyph>(*other).amplitude, std::get<model::PickedGlyph>(*plain).amplitude);
     const model::Frame split = renderer.render(target, request, 1, 2);
     request.quality.samples = 3;
     EXPECT_EQ(split.pixels.rgba, renderer.renderAll(request).pixels.rgba);

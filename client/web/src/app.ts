@@ -163,7 +163,7 @@ export class App {
         { frame: { case: "view", value: { viewId, sequence: BigInt(frame.sequence) } }, x, y },
         { timeoutMs: kCallTimeoutMs },
       );
-      if (mine === this.picking) this.picked.show(answer.glyph ?? null);
+      if (mine === this.picking) this.picked.show(answer.glyph ?? answer.surface ?? null);
     } catch (error) {
       if (mine === this.picking) this.status.message(sentence(error));
     }

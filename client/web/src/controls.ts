@@ -1,7 +1,7 @@
 // The controls of the page: plain selects and inputs of index.html, and the settings that they show and change.
 import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
 import { Annotations_Convention as Convention, ColourMap, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
-import { type Region, type Settings, adapt, colourChoices, isMapped } from "./scene/settings";
+import { type Region, type Settings, adapt, colourChoices, isMapped, surfaceChoices } from "./scene/settings";
 import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
 
 const kPlanes: Record<string, AnatomicalPlane> = { axial: Plane.AXIAL, coronal: Plane.CORONAL, sagittal: Plane.SAGITTAL };
@@ -52,6 +52,9 @@ export class Controls {
   private readonly colour = element("colour", HTMLSelectElement);
   private readonly colourMap = element("colour-map", HTMLSelectElement);
   private readonly negative = element("negative", HTMLInputElement);
+  private readonly surface = element("surface", HTMLSelectElement);
+  private readonly isovalue = element("isovalue", HTMLInputElement);
+  private readonly surfaceOpacity = element("surface-opacity", HTMLInputElement);
   private readonly convention = element("convention", HTMLSelectElement);
   private datasets: readonly Dataset[] = [];
   private settings: Settings | null = null;
@@ -80,6 +83,9 @@ export class Controls {
     on(this.colour, (s) => ({ ...s, colour: this.colour.value }));
     on(this.colourMap, (s) => ({ ...s, colourMap: kMaps[this.colourMap.value] ?? s.colourMap }));
     on(this.negative, (s) => ({ ...s, negativeLobes: this.negative.checked }));
+    on(this.surface, (s) => ({ ...s, surface: this.surface.value, isovalue: null }));
+    on(this.isovalue, (s) => ({ ...s, isovalue: Number.isFinite(this.isovalue.valueAsNumber) ? this.isovalue.valueAsNumber : null }));
+    on(this.surfaceOpacity, (s) => ({ ...s, surfaceOpacity: Math.min(1, positive(this.surfaceOpacity, s.surfaceOpacity)) }));
     on(this.convention, (s) => ({ ...s, convention: kConventions[this.convention.value] ?? s.convention }));
   }
 
@@ -124,6 +130,10 @@ export class Controls {
       settings.lmax === null ? "" : String(settings.lmax),
     );
     this.negative.checked = settings.negativeLobes;
+    options(this.surface, [["", "none"] as const, ...surfaceChoices(datasets).map((id) => [id, id] as const)], settings.surface);
+    this.isovalue.value = settings.isovalue === null ? "" : String(settings.isovalue);
+    this.surfaceOpacity.value = String(settings.surfaceOpacity);
+    document.body.dataset.surface = String(settings.surface !== "");
     this.convention.value = nameOf(kConventions, settings.convention);
     document.body.dataset.region = settings.region;
   }

@@ -3,7 +3,7 @@ import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { type Dataset, DatasetKind, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
 import { ColourMap, NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
-import { adapt, colourChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
+import { adapt, colourChoices, surfaceChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
 import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
 
 function dataset(rows: number[], size: number[], bounds?: [number[], number[]]): Dataset {
@@ -93,5 +93,17 @@ describe("settings", () => {
     expect(adapt(settings, flipped).colour).toBe("scalar:fa");
     expect(adapt({ ...settings, datasetId: "another" }, flipped).colour).toBe("direction");
     expect(adapt({ ...settings, colour: "radius", datasetId: "another" }, flipped).colour).toBe("radius");
+  });
+
+  it("add the isosurface of a volume over the glyphs", () => {
+    const volume = create(DatasetSchema, { id: "t1", size: [10, 10, 10], kind: DatasetKind.SCALAR_VOLUME });
+    expect(surfaceChoices([flipped, volume])).toEqual(["t1"]);
+    const settings = { ...defaultSettings(flipped), surface: "t1" };
+    expect(scene(defaultSettings(flipped), flipped).layers).toHaveLength(1);
+    expect(scene(settings, flipped).layers?.[1]).toEqual({
+      content: { case: "isosurface", value: { datasetId: "t1" } },
+      opacity: 0.4,
+    });
+    expect(scene({ ...settings, isovalue: 30 }, flipped).layers?.[1]?.content?.value).toMatchObject({ isovalue: 30 });
   });
 });

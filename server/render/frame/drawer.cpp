@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "render/frame/frame_parameters.h"
 #include "render/frame/glyph_passes.h"
+#include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
 #include "render/frame/uncertainty_passes.h"
 #include "render/frame/visibility_passes.h"
@@ -46,6 +47,12 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runGlyphMesh(pass_run, pass, mesh_size_);
         case plan::PassKind::kRasterSurface:
             return runRasterSurface(pass_run, pass);
+        case plan::PassKind::kClear:
+            return runClear(pass_run, pass);
+        case plan::PassKind::kIsosurfaceTrace:
+            return runIsosurfaceTrace(pass_run, pass, surface_bands_);
+        case plan::PassKind::kIsosurfaceVeil:
+            return runIsosurfaceVeil(pass_run, pass, veil_bands_);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -58,6 +65,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         if (sample == 0) {
             target.samples = 0;
             fillFrameParameters(device_, colour_tables_, target, list);
+            fillIsosurfaceParameters(device_, target, list);
             fillVisibilityParameters(device_, target, list);
             fillUncertaintyParameters(device_, target, list);
             target.counters() = Counters{};

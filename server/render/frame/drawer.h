@@ -35,6 +35,7 @@ private:
     gpu::CommandRecorder recorder_;
     Pipelines pipelines_;
     ColourTables colour_tables_;
+    BandSize surface_bands_, veil_bands_;
     BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
     DrawSize boxes_size_, mesh_size_;
 };

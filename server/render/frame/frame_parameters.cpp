@@ -17,6 +17,10 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
     shader::LayerLook look{};
     look.kind = static_cast<std::uint32_t>(wanted.content.index());
     look.opacity = wanted.opacity;
+    if (const model::IsosurfaceLayer* surface = wanted.ifSurface()) {
+        look.colour = shader::COLOUR_UNIFORM;
+        look.uniform_colour = surface->colour;
+    }
     if (!list.layers[layer].glyphs) return look;
     GlyphScene& scene = *list.layers[layer].glyphs;
     const model::GlyphColour& colour = wanted.glyphs().colour;

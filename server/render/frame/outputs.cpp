@@ -5,6 +5,7 @@
 
 #include "base/parallel.h"
 #include "gpu/device.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
@@ -32,17 +33,26 @@ void resizeArrays(const model::Outputs& wanted, std::size_t count, model::FrameP
     if (wanted.steps) pixels.steps.assign(count, 0);
 }
 
+/// Of a glyph its own; of an isosurface the nearest. \param position  relative to the frame's reference point
+glm::ivec3 voxelOf(const DrawList& list, const DrawnLayer& layer, const shader::Surface& surface, const glm::dvec3& position) {
+    if (layer.glyphs) {
+        const GlyphScene& scene = *layer.glyphs;
+        return scene.dataset().image().voxels[scene.instances()[surface.who].slot];
+    }
+    const glm::ivec3 nearest(glm::round(layer.volume->worldToGrid(list.camera.reference_mm + position)));
+    return glm::clamp(nearest, glm::ivec3(0), layer.volume->params().size - 1);
+}
+
 void writeHit(const model::Outputs& wanted, const DrawList& list, const shader::Surface& surface, const RayOfPixel& ray,
               std::size_t at, model::FramePixels& pixels) {
     const std::uint32_t layer = surface.layer_and_steps >> 24U;
+    const glm::dvec3 position = ray.origin + static_cast<double>(surface.depth) * ray.direction;
     if (wanted.depth) pixels.depth[at] = static_cast<float>(surface.depth / ray.stretch);
     if (wanted.id) {
-        const GlyphScene& scene = *list.layers[layer].glyphs;
-        const glm::ivec3 voxel = scene.dataset().image().voxels[scene.instances()[surface.who].slot];
+        const glm::ivec3 voxel = voxelOf(list, list.layers[layer], surface, position);
         pixels.id[4 * at] = static_cast<std::int32_t>(layer);
         for (int c = 0; c < 3; ++c) pixels.id[4 * at + 1 + c] = voxel[c];
     }
-    const glm::dvec3 position = ray.origin + static_cast<double>(surface.depth) * ray.direction;
     for (int c = 0; c < 3; ++c) {
         if (wanted.position) pixels.position[3 * at + c] = static_cast<float>(position[c]);
         if (wanted.normal) pixels.normal[3 * at + c] = surface.normal[c];

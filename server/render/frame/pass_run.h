@@ -14,12 +14,17 @@
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
 
+namespace radiata::store {
+class VolumeDataset;
+}
+
 namespace radiata::render {
 
 /// One layer as it stands on the device; of the scenes, that of the layer's kind is set.
 struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
+    std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world
 };
 

@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "math/sh_evaluate.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
@@ -20,7 +21,7 @@ glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface) {
     return list.camera.reference_mm + origin + static_cast<double>(surface.depth) * glm::normalize(direction);
 }
 
-model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface) {
+model::PickedGlyph describeGlyph(const DrawList& list, const shader::Surface& surface) {
     model::PickedGlyph glyph;
     const std::size_t layer = surface.layer_and_steps >> 24U;
     const GlyphScene& scene = *list.layers[layer].glyphs;
@@ -43,6 +44,21 @@ model::PickedGlyph describe(const DrawList& list, const shader::Surface& surface
     glyph.radius_mm = ellipsoid ? glm::length(offset) : std::abs(glyph.amplitude) * static_cast<double>(instance.scale);
     glyph.position_mm = glyph.centre_mm + glyph.radius_mm * glyph.direction;
     return glyph;
+}
+
+model::PickedSurface describeSurface(const DrawList& list, const shader::Surface& surface) {
+    model::PickedSurface picked;
+    const std::size_t layer = surface.layer_and_steps >> 24U;
+    const store::VolumeDataset& volume = *list.layers[layer].volume;
+    picked.layer = static_cast<int>(layer);
+    const model::IsosurfaceLayer& wanted = list.plan->resolved.scene.layers[layer].surface();
+    picked.dataset_id = wanted.dataset_id;
+    picked.position_mm = hitPosition(list, surface);
+    const glm::ivec3 nearest(glm::round(volume.worldToGrid(picked.position_mm)));
+    picked.voxel = glm::clamp(nearest, glm::ivec3(0), volume.params().size - 1);
+    picked.normal = glm::dvec3(surface.normal);
+    picked.value = *wanted.isovalue;
+    return picked;
 }
 
 }  // namespace
@@ -68,8 +84,8 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     return pixel;
 }
 
-std::optional<model::PickedGlyph> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x,
-                                            int y) {
+std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x,
+                                       int y) {
     const model::FrameRequest& picture = list.plan->resolved;
     list.pixel_offset = {static_cast<float>(x + 0.5 - 0.5 * picture.width), static_cast<float>(y + 0.5 - 0.5 * picture.height)};
     target.prepare(device, 1, 1, list.layers.size());
@@ -78,7 +94,8 @@ std::optional<model::PickedGlyph> pickPixel(gpu::Device& device, Drawer& drawer,
     shader::Surface surface{};
     gpu::download(device, target.surface, 0, std::as_writable_bytes(std::span(&surface, 1)));
     if (surface.who == 0xffffffffU) return std::nullopt;
-    return describe(list, surface);
+    if (list.layers[surface.layer_and_steps >> 24U].volume) return describeSurface(list, surface);
+    return describeGlyph(list, surface);
 }
 
 }  // namespace radiata::render

@@ -15,7 +15,6 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
 
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
 /// pixel
-std::optional<model::PickedGlyph> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x,
-                                            int y);
+std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y);
 
 }  // namespace radiata::render

@@ -14,7 +14,9 @@
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
+#include "store/scalar_dataset.h"
 #include "store/store.h"
+#include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
@@ -36,6 +38,19 @@ plan::SceneBounds unite(const std::vector<DrawnLayer>& layers) {
         all.maximum = glm::max(all.maximum, layer.bounds.maximum);
     }
     return all;
+}
+
+/// World box of the points between the outermost samples, where a surface can be.
+plan::SceneBounds volumeBounds(const store::VolumeDataset& volume) {
+    plan::SceneBounds bounds{glm::dvec3(1e300), glm::dvec3(-1e300)};
+    const glm::ivec3 last = volume.params().size - 1;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 grid(corner & 1 ? last.x : 0, corner & 2 ? last.y : 0, corner & 4 ? last.z : 0);
+        const glm::dvec3 world = volume.gridToWorld(glm::dvec3(grid));
+        bounds.minimum = glm::min(bounds.minimum, world);
+        bounds.maximum = glm::max(bounds.maximum, world);
+    }
+    return bounds;
 }
 
 /// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
@@ -92,7 +107,10 @@ struct Renderer::Impl {
     }
 
     /// Of the dataset that a layer names, mm; all positions on the device are relative to that of the first layer.
-    glm::dvec3 centreOf(const model::Layer& layer) { return datasetCentre(store.glyphs(layer.datasetId())->image()); }
+    glm::dvec3 centreOf(const model::Layer& layer) {
+        if (layer.ifGlyphs()) return datasetCentre(store.glyphs(layer.datasetId())->image());
+        return volumeBounds(*store.volume(layer.datasetId())).centre();
+    }
 
     /// The layer on the device, from scratch or from what is kept.
     DrawnLayer drawn(const model::Layer& layer, const model::Quality& quality, const glm::dvec3& centre) {
@@ -103,11 +121,23 @@ struct Renderer::Impl {
             result.bounds = result.glyphs->bounds();
             if (glyphs->colour.mode == model::ColourMode::kScalar) result.scalars = store.scalars(glyphs->colour.image_id);
         }
+        if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
+            result.volume = store.volume(surface->dataset_id);
+            result.bounds = volumeBounds(*result.volume);
+        }
         return result;
     }
 
     /// What the plan has to know about a layer.
     plan::LayerFacts factsOf(const DrawnLayer& layer, const model::FrameRequest& request, const DrawList& list) const {
+        if (layer.volume) {
+            plan::LayerFacts facts;
+            facts.value_min = layer.volume->valueMin();
+            facts.value_max = layer.volume->valueMax();
+            facts.value_split = layer.volume->valueSplit();
+            facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            return facts;
+        }
         if (!layer.glyphs) return {};
         plan::LayerFacts facts = layer.glyphs->facts(list.camera, request.width, request.height);
         if (layer.scalars) {
@@ -205,7 +235,7 @@ model::Frame Renderer::renderAll(const model::FrameRequest& request, const model
     return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
 }
 
-std::optional<model::PickedGlyph> Renderer::pick(const model::FrameRequest& request, int x, int y) {
+std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y) {
     model::validate(request, impl_->limits);
     model::FrameRequest pixel = pickRequest(request, x, y, impl_->abilities);
     model::FrameInfo info;
@@ -246,6 +276,9 @@ model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::Vo
                                   model::Convention convention, double aspect) {
     if (!(aspect >= 0.05 && aspect <= 20)) {
         throw Error(Code::kInvalidArgument, "aspect is " + std::to_string(aspect) + "; it must be 0.05 to 20");
+    }
+    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kScalarVolume) {
+        return plan::fitCamera(volumeBounds(*impl_->store.volume(dataset_id)), selection, convention, aspect);
     }
     const auto dataset = impl_->store.glyphs(dataset_id);
     const plan::SceneBounds bounds = selectionBounds(*dataset, selection);

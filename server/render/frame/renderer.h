@@ -61,7 +61,7 @@ public:
     /// within 1e-5 of the distance across the scene.
     /// \throws as render(); Error(kInvalidArgument) for a pixel outside the picture, Error(kUnsupported) on a device where
     ///         tile lists are the only traversal that works
-    std::optional<model::PickedGlyph> pick(const model::FrameRequest& request, int x, int y);
+    std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y);
 
     /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
     /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another

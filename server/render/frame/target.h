@@ -48,6 +48,8 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
+    gpu::Buffer isosurfaces;  ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
+    gpu::Buffer veil;         ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
     std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "render/frame/isosurface_passes.h"
 #include "render/frame/sun_tiles.h"
 
 namespace radiata::render {
@@ -22,6 +23,11 @@ struct VisibilityPush {
     std::uint32_t first_block_row;
 };
 
+struct SurfaceVisibilityPush {
+    std::uint64_t frame, layer, surface, blocked;
+    std::uint32_t first_block_row;
+};
+
 enum Rays : std::uint32_t { kHardRays = 0, kSoftRays = 1, kAmbientRays = 2 };
 
 /// Whether no earlier pass of the plan writes the same bits.
@@ -30,6 +36,26 @@ bool firstOfItsKind(const plan::FramePlan& plan, const plan::PassPlan& pass) {
         if (other.kind == pass.kind) return &other == &pass;
     }
     return true;
+}
+
+/// Rays that an isosurface blocks.
+void runSurfaceVisibility(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
+    const plan::FramePlan& plan = *run.list.plan;
+    const model::Light& light = plan.resolved.scene.light;
+    const bool occlusion = pass.kind == plan::PassKind::kOcclusion;
+    const bool hard = !occlusion && plan.visibility.shadow == model::Shadow::kHard;
+    std::vector<std::uint32_t> constants = isosurfaceConstants(plan.resolved.quality.isosurface);
+    constants.resize(kFirstConstant, 0U);
+    constants.push_back(occlusion ? kAmbientRays : hard ? kHardRays : kSoftRays);
+    constants.push_back(0U);
+    constants.push_back(firstOfItsKind(plan, pass) ? 1U : 0U);
+    constants.push_back(hard ? 1U : static_cast<std::uint32_t>(occlusion ? light.ambient_occlusion->rays : light.shadow_rays));
+    const gpu::Buffer& bits = occlusion ? run.target.occlusion_bits : run.target.shadow_bits;
+    run.dispatchBands(
+        run.pipelines.get(pass.shader, constants), pass.name,
+        SurfaceVisibilityPush{run.frameAddress(), isosurfaceAddress(run.target, static_cast<std::size_t>(pass.layer)),
+                              run.target.surface.address(), bits.address(), 0},
+        bands);
 }
 
 }  // namespace
@@ -46,13 +72,14 @@ void fillVisibilityParameters(gpu::Device& device, Target::Impl& target, const D
         const bool table = pass.kind == plan::PassKind::kSunTable;
         if (!shadow && !occlusion && !table) continue;
         const auto layer = static_cast<std::size_t>(pass.layer);
-        GlyphScene& scene = *list.layers[layer].glyphs;
-        shader::GlyphLayerParams& params = target.layer(layer);
         if (shadow) ensureBytes(device, target.shadow_bits, bytes, gpu::Memory::kDevice, "shadow bits");
         if (occlusion) {
             ensureBytes(device, target.occlusion_bits, bytes, gpu::Memory::kDevice, "occlusion bits");
             frame.occlusion_radius = *light.ambient_occlusion->radius_mm;
         }
+        if (!list.layers[layer].glyphs) continue;
+        GlyphScene& scene = *list.layers[layer].glyphs;
+        shader::GlyphLayerParams& params = target.layer(layer);
         if (table && params.count > 0) {
             const std::string& layout = list.plan->glyphs[layer].layout_name;
             const std::uint64_t entries = poleTableCount(std::stoi(layout.substr(4)), layout.starts_with("full"));
@@ -100,6 +127,7 @@ void runSunTable(PassRun& run, const plan::PassPlan& pass) {
 void runVisibility(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
     const auto layer = static_cast<std::size_t>(pass.layer);
     const plan::FramePlan& plan = *run.list.plan;
+    if (run.list.layers[layer].volume) return runSurfaceVisibility(run, pass, bands);
     const model::Light& light = plan.resolved.scene.light;
     const bool occlusion = pass.kind == plan::PassKind::kOcclusion;
     const bool hard = !occlusion && plan.visibility.shadow == model::Shadow::kHard;

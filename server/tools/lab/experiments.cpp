@@ -31,6 +31,9 @@ const std::vector<Experiment>& experiments() {
         {"hlawitschka-fig2", "Hlawitschka et al., Fig. 2: the gap at the centre and what closes it", hlawitschkaFig2},
         {"hlawitschka-fig5", "Hlawitschka et al., Fig. 5: colour codings, their cost in the light pass and their exactness",
          hlawitschkaFig5},
+        {"isosurface-hits", "the cubic on four million chords; primary rays with and without bricks, exact and marched",
+         isosurfaceHits},
+        {"wyman-fig5", "Wyman et al. 2006, Fig. 5: normals of the trilinear cell and of the smoothing spline", wymanFig5},
     };
     return kAll;
 }

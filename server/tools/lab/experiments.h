@@ -21,5 +21,7 @@ Report hlawitschkaTable2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig1(gpu::Device& device, const Options& options);
 Report hlawitschkaFig2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig5(gpu::Device& device, const Options& options);
+Report isosurfaceHits(gpu::Device& device, const Options& options);
+Report wymanFig5(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab

@@ -1,6 +1,6 @@
 // The panel that says what lies under the pixel that was clicked.
 import { type Vec3 } from "../generated/radiata/v1/geometry_pb";
-import { type PickedGlyph } from "../generated/radiata/v1/pick_pb";
+import { type PickedGlyph, type PickedSurface } from "../generated/radiata/v1/pick_pb";
 
 const vector = (v: Vec3 | undefined, digits: number): string =>
   v ? [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join(", ") : "–";
@@ -22,19 +22,32 @@ export function rows(glyph: PickedGlyph): [label: string, text: string][] {
   ];
 }
 
+/** The same of a point on an isosurface. */
+export function surfaceRows(surface: PickedSurface): [label: string, text: string][] {
+  return [
+    ["voxel", surface.voxel.join(", ")],
+    ["place, mm", vector(surface.positionMm, 2)],
+    ["normal", vector(surface.normal, 3)],
+    ["value", surface.value.toPrecision(4)],
+  ];
+}
+
+const rowsOf = (what: PickedGlyph | PickedSurface): [label: string, text: string][] =>
+  what.$typeName === "radiata.v1.PickedGlyph" ? rows(what) : surfaceRows(what);
+
 export class PickPanel {
   constructor(private readonly element: HTMLElement) {
     element.querySelector("button")?.addEventListener("click", () => this.hide());
   }
 
-  /** \param glyph  null: nothing lies there */
-  show(glyph: PickedGlyph | null): void {
+  /** \param what  null: nothing lies there */
+  show(what: PickedGlyph | PickedSurface | null): void {
     const list = this.element.querySelector("dl");
     const title = this.element.querySelector("h2");
     if (!list || !title) return;
-    title.textContent = glyph ? glyph.datasetId : "nothing here";
+    title.textContent = what ? what.datasetId : "nothing here";
     list.replaceChildren(
-      ...(glyph ? rows(glyph) : []).flatMap(([label, text]) => {
+      ...(what ? rowsOf(what) : []).flatMap(([label, text]) => {
         const term = document.createElement("dt");
         const detail = document.createElement("dd");
         term.textContent = label;

@@ -6,6 +6,7 @@ import {
   ColourMap,
   type GlyphColourSchema,
   GlyphScale_Mode as ScaleMode,
+  type LayerSchema,
   NegativeLobes,
   Plane,
   type SceneSchema,
@@ -30,6 +31,11 @@ export interface Settings {
   /** "direction", "radius", or the id of a scalar volume after "scalar:". */
   readonly colour: string;
   readonly colourMap: ColourMap;
+  /** Id of the scalar volume whose isosurface is shown; empty: none. */
+  readonly surface: string;
+  /** null: the value that splits the volume best in two. */
+  readonly isovalue: number | null;
+  readonly surfaceOpacity: number;
   readonly convention: Convention;
 }
 
@@ -46,6 +52,9 @@ export function defaultSettings(dataset: Dataset): Settings {
     negativeLobes: false,
     colour: "direction",
     colourMap: ColourMap.VIRIDIS,
+    surface: "",
+    isovalue: null,
+    surfaceOpacity: 0.4,
     convention: Convention.RADIOLOGICAL,
   };
 }
@@ -56,6 +65,10 @@ export function colourChoices(dataset: Dataset, all: readonly Dataset[]): string
   const fitting = all.filter(({ kind, size }) => kind === DatasetKind.SCALAR_VOLUME && lengths(size) === lengths(dataset.size));
   return ["direction", "radius", ...fitting.map(({ id }) => `scalar:${id}`)];
 }
+
+/** Volumes that have isosurfaces. */
+export const surfaceChoices = (all: readonly Dataset[]): string[] =>
+  all.filter(({ kind }) => kind === DatasetKind.SCALAR_VOLUME).map(({ id }) => id);
 
 export const isMapped = (colour: string): boolean => colour !== "direction";
 
@@ -89,6 +102,13 @@ export function selection(settings: Settings, dataset: Dataset): MessageInitShap
     : { region: { case: "slice", value: slice } };
 }
 
+function surfaceLayer({ surface, isovalue, surfaceOpacity }: Settings): MessageInitShape<typeof LayerSchema> {
+  return {
+    content: { case: "isosurface", value: { datasetId: surface, ...(isovalue !== null && { isovalue }) } },
+    opacity: surfaceOpacity,
+  };
+}
+
 export function scene(settings: Settings, dataset: Dataset): MessageInitShape<typeof SceneSchema> {
   return {
     layers: [
@@ -105,6 +125,7 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
           },
         },
       },
+      ...(settings.surface === "" ? [] : [surfaceLayer(settings)]),
     ],
     annotations: { convention: settings.convention },
   };

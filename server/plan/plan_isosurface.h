@@ -1,0 +1,20 @@
+// Isosurfaces of a plan.
+#pragma once
+
+#include <cstddef>
+
+#include "plan/plan.h"
+
+namespace radiata::plan {
+
+/// Fills in the isovalue of layer `index`, and adds its pass if it is opaque.
+/// \throws Error(kInvalidArgument) for an isovalue outside the volume's values, with their range
+void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts);
+
+/// Adds the one pass of all transparent isosurfaces, if there are any; after everything that writes the surface buffer.
+void planVeil(FramePlan& plan);
+
+/// Whether the layer is composited over what is opaque instead of standing in the surface buffer.
+bool isVeil(const model::Layer& layer);
+
+}  // namespace radiata::plan

@@ -1,0 +1,88 @@
+#include "render/frame/isosurface_passes.h"
+
+#include "gpu/device.h"
+#include "plan/plan_isosurface.h"
+#include "store/volume_dataset.h"
+
+namespace radiata::render {
+namespace {
+
+struct ClearPush {
+    std::uint64_t surface;
+    std::uint32_t pixels, padding = 0;
+};
+struct TracePush {
+    std::uint64_t frame, layer, surface, counters;
+    std::uint32_t first_block_row;
+};
+struct VeilPush {
+    std::uint64_t frame, layers, surface, looks, veil;
+    std::uint32_t transparent, first_block_row;
+};
+
+/// Grid coordinates of the frame's reference point, as a whole cell and the rest.
+void place(const store::VolumeDataset& volume, const glm::dvec3& reference_mm, shader::IsosurfaceParams& params) {
+    const glm::dvec3 grid = volume.worldToGrid(reference_mm);
+    // A reference point far off would not fit whole numbers that floats hold exactly; the rest then carries it.
+    const glm::dvec3 whole = glm::clamp(glm::floor(grid), glm::dvec3(0), glm::dvec3(params.volume.size));
+    params.base = glm::ivec3(whole);
+    params.fraction = glm::vec3(grid - whole);
+}
+
+}  // namespace
+
+std::uint64_t isosurfaceAddress(const Target::Impl& target, std::size_t layer) {
+    return target.isosurfaces.address() + layer * sizeof(shader::IsosurfaceParams);
+}
+
+std::vector<std::uint32_t> isosurfaceConstants(const model::IsosurfaceSettings& settings) {
+    return {PassRun::kGroup, settings.bricks ? 1U : 0U, settings.method == model::SurfaceMethod::kMarchBisect ? 1U : 0U,
+            settings.normals == model::SurfaceNormals::kSpline ? 1U : 0U, static_cast<std::uint32_t>(settings.bisections)};
+}
+
+void fillIsosurfaceParameters(gpu::Device& device, Target::Impl& target, const DrawList& list) {
+    const model::FrameRequest& request = list.plan->resolved;
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        const store::VolumeDataset* volume = list.layers[i].volume.get();
+        if (!volume) continue;
+        ensureBytes(device, target.isosurfaces, 8 * sizeof(shader::IsosurfaceParams), gpu::Memory::kUpload,
+                    "isosurface parameters");
+        shader::IsosurfaceParams params{};
+        params.volume = volume->params();
+        place(*volume, list.camera.reference_mm, params);
+        params.isovalue = *request.scene.layers[i].surface().isovalue;
+        params.layer = static_cast<std::uint32_t>(i);
+        params.step = request.quality.isosurface.step;
+        target.isosurfaces.as<shader::IsosurfaceParams>()[i] = params;
+    }
+    if (!list.plan->usesVeil()) return;
+    const std::uint64_t pixels = static_cast<std::uint64_t>(target.width) * static_cast<std::uint64_t>(target.height);
+    ensureBytes(device, target.veil, pixels * sizeof(glm::vec4), gpu::Memory::kDevice, "veil");
+}
+
+void runClear(PassRun& run, const plan::PassPlan& pass) {
+    run.recorder.dispatch(run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name, PassRun::groups(run.pixels()), 1, 1,
+                          ClearPush{run.target.surface.address(), static_cast<std::uint32_t>(run.pixels())});
+}
+
+void runIsosurfaceTrace(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
+    std::vector<std::uint32_t> constants = isosurfaceConstants(run.list.plan->resolved.quality.isosurface);
+    constants.push_back(pass.first ? 1U : 0U);
+    run.dispatchBands(run.pipelines.get(pass.shader, constants), pass.name,
+                      TracePush{run.frameAddress(), isosurfaceAddress(run.target, static_cast<std::size_t>(pass.layer)),
+                                run.target.surface.address(), run.counterAddress(), 0},
+                      bands);
+}
+
+void runIsosurfaceVeil(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
+    std::uint32_t transparent = 0;
+    const std::vector<model::Layer>& layers = run.list.plan->resolved.scene.layers;
+    for (std::size_t i = 0; i < layers.size(); ++i) transparent |= plan::isVeil(layers[i]) ? 1U << i : 0U;
+    run.dispatchBands(run.pipelines.get(pass.shader, isosurfaceConstants(run.list.plan->resolved.quality.isosurface)),
+                      pass.name,
+                      VeilPush{run.frameAddress(), run.target.isosurfaces.address(), run.target.surface.address(),
+                               run.frameAddress() + Target::Impl::kLookOffset, run.target.veil.address(), transparent, 0},
+                      bands);
+}
+
+}  // namespace radiata::render
