@@ -50,10 +50,6 @@ struct EnvironmentMap {
     std::string source;
 };
 
-enum class IlluminationMethod {
-    kLattice,    ///< texels of a lattice, each lit on its own level set, interpolated
-    kPathTraced  ///< every pixel for itself
-};
 /// What a texel keeps, for each number of bounces: irradiance of this scene's light, or the transfer of any distant light.
 enum class TexelPayload { kIrradiance, kTransfer };
 enum class TexelStorage { kFloat32, kFloat16 };
@@ -66,7 +62,6 @@ enum class LatticeResolution { kEighth, kOne, kEight };
 constexpr int kBouncesMax = 4;
 
 struct Illumination {
-    IlluminationMethod method = IlluminationMethod::kLattice;
     TexelPayload payload = TexelPayload::kIrradiance;
     TexelStorage storage = TexelStorage::kFloat16;
     TexelInterpolation interpolation = TexelInterpolation::kTrilinear;
@@ -93,11 +88,14 @@ struct Illumination {
     }
 };
 
+/// \throws Error(kInvalidArgument) with the field and what would be right \param where  prefix of the fields' names
+void validate(const Illumination& light, const std::string& where);
+
 /// How far a picture's global light is.
 struct IlluminationInfo {
-    std::uint64_t texels = 0;         ///< of the whole lattice
-    std::uint64_t texels_needed = 0;  ///< by the pixels of this picture
-    std::uint64_t texels_done = 0;    ///< of them: at the wanted error, or at the largest number of samples
+    std::uint64_t texels = 0;           ///< of the whole lattice
+    std::uint64_t texels_needed = 0;    ///< by the pixels of this picture
+    std::uint64_t texels_done = 0;      ///< of them: at the wanted error, or at the largest number of samples
     std::uint64_t bricks_left_out = 0;  ///< that the budget had no room for; what needs them is lit locally
     std::uint64_t samples = 0;          ///< paths followed for this picture
     double mean_error = 0;              ///< relative standard error of the texels needed that have light, mean

@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/method_plan.h"
+#include "plan/plan_illumination.h"
 #include "plan/plan_isosurface.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_uncertainty.h"
@@ -251,6 +252,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);
+    planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     return plan;

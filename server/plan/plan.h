@@ -73,6 +73,8 @@ enum class PassKind {
     kClear,            ///< an empty surface buffer, where no pass writes all of it
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
+    kIllumination,     ///< texels that a surface's pixels need
+    kGlobalLight,      ///< what they give each pixel
     kSunTable,
     kShadow,
     kOcclusion,
@@ -105,6 +107,9 @@ struct FramePlan {
 
     bool usesVeil() const {
         return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+    }
+    bool usesGlobalLight() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kGlobalLight; });
     }
     bool usesUncertainty() const {
         return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });

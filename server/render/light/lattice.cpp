@@ -123,6 +123,7 @@ void IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     if (drop || harder) {
         requested_.clear();
         active_.clear();
+        requested_for_ = 0;
     }
     if (drop) {
         pool_.clear();
@@ -145,11 +146,12 @@ void IlluminationLattice::relight(const LatticeRun& run) {
     run.recorder.submitAndWait();
 }
 
-void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pixels) {
+void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t number) {
     struct Push {
         std::uint64_t frame, layer, surface, lattice;
     };
     run.checkCancelled();
+    requested_for_ = 0;
     const Push push{pixels.frame, pixels.layer, pixels.surface, params_.address()};
     shader::LatticeParams& lattice = shared();
     lattice.request = pool_.beginRequest();
@@ -162,6 +164,7 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     refreshAddresses();
     requested_.clear();
     active_.clear();
+    requested_for_ = number;
     if (pool_.slotsUsed() == 0) return;
     run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 0);
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,

@@ -59,7 +59,9 @@ public:
                 const std::shared_ptr<const model::EnvironmentMap>& map, const glm::vec3& albedo, float isovalue);
 
     /// Finds out what the pixels interpolate, and lists it by coverage. \throws Error(kCancelled, kResourceExhausted)
-    void request(const LatticeRun& run, const LatticePixels& pixels);
+    /// \param number  what requestedFor() is to say; 0: nothing in particular
+    void request(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t number);
+    std::uint64_t requestedFor() const { return requested_for_; }
     /// All texels, in place of those that pixels need. \throws Error(kResourceExhausted) if the budget is too small for them
     void requestAll(const LatticeRun& run);
 
@@ -119,6 +121,7 @@ private:
     std::uint32_t stage_paths_ = 1;      ///< paths of each replicate at the end of this stage
     double items_per_batch_ = 256;
     std::uint64_t left_out_ = 0;
+    std::uint64_t requested_for_ = 0;
     double seconds_ = 0;
     std::uint64_t samples_ = 0;
 };
