@@ -1,4 +1,5 @@
 // radiata render: one picture, and beside it any of the lossless outputs as .npy and what is known about the frame as JSON.
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>

@@ -26,10 +26,10 @@ struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
+    plan::SceneBounds bounds;                             ///< world
     /// Of an isosurface with global light: texels on their own level sets, and those on the shown surface, which a picture at
     /// rest has in their place unless it is off; or null.
     std::shared_ptr<IlluminationLattice> lattice, rest_lattice;
-    plan::SceneBounds bounds;  ///< world
 };
 
 /// What is drawn: one entry per layer of the plan, all with the same centre.
