@@ -73,8 +73,7 @@ enum class PassKind {
     kClear,            ///< an empty surface buffer, where no pass writes all of it
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
-    kIllumination,     ///< texels that a surface's pixels need
-    kGlobalLight,      ///< what they give each pixel
+    kIllumination,     ///< global light of an isosurface, and the texels that it lacks
     kSunTable,
     kShadow,
     kOcclusion,
@@ -109,7 +108,7 @@ struct FramePlan {
         return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
     }
     bool usesGlobalLight() const {
-        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kGlobalLight; });
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIllumination; });
     }
     bool usesUncertainty() const {
         return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });

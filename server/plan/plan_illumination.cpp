@@ -11,8 +11,7 @@ void planIllumination(FramePlan& plan) {
         if (!scene.layers[i].ifSurface() || isVeil(scene.layers[i])) continue;
         const std::string suffix = scene.layers.size() > 1 ? " " + std::to_string(i) : "";
         const int layer = static_cast<int>(i);
-        plan.passes.push_back({PassKind::kIllumination, "illumination" + suffix, "isosurface_light_texels", layer});
-        plan.passes.push_back({PassKind::kGlobalLight, "global light" + suffix, "isosurface_gather_light", layer});
+        plan.passes.push_back({PassKind::kIllumination, "global light" + suffix, "isosurface_gather_light", layer});
     }
 }
 

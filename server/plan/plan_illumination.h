@@ -1,4 +1,4 @@
-// Global light in a frame's plan: two passes for each opaque isosurface of a scene that asks for it, and none for any other
+// Global light in a frame's plan: a pass for each opaque isosurface of a scene that asks for it, and none for any other
 // scene.
 #pragma once
 

@@ -20,7 +20,17 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     LatticeBuffer lattice;
     GlobalLightBuffer light;
+    TexelWords lacking;    // set to 1 if some pixel needs a texel that is not there, or not as exact as a picture at rest wants it
+    float relative_error;  // that it wants; below 0: texels need only be there
+    uint samples_max;
+    uint samples_least;
 } push;
+
+bool isDone(uint state) {
+    if ((state & TEXEL_EMPTY) != 0u || push.relative_error < 0.0) return true;
+    const uint samples = 1u << (((state >> TEXEL_STAGE_SHIFT) & TEXEL_STAGE_MASK) - 1u);
+    return samples >= push.samples_max || (samples >= push.samples_least && unpackHalf2x16(state).x <= push.relative_error);
+}
 
 void main() {
     const FrameParams frame = push.frame.frame;
@@ -35,15 +45,19 @@ void main() {
     const vec3 normal = lattice.projected != 0u ? outwardNormal(lattice.volume, point) : vec3(0.0);
     vec3 sum = vec3(0.0);
     float total = 0.0;
+    bool lacking = false;
     for (int i = 0; i < kTexels; ++i) {
         ivec3 texel;
         float weight = windowTexel(lattice, window, i, texel);
         if (weight <= 0.0) continue;
         const uint slot = TexelWords(lattice.index).at[brickOf(lattice, texel)];
+        lacking = lacking || slot == 0u;
         if (slot == 0u) continue;
         const uint place = (slot - 1u) * TEXELS_PER_BRICK + placeInBrick(texel);
         const uint state = wordsAt(lattice.state, place, 1u).at[0];
-        if ((state & (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT)) == 0u || (state & TEXEL_EMPTY) != 0u) continue;
+        const bool none = (state & (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT)) == 0u;
+        lacking = lacking || none || !isDone(state);
+        if (none || (state & TEXEL_EMPTY) != 0u) continue;
         const uvec2 shown = TexelPairs(lattice.shown + uint64_t(place) * 8ul).at[0];
         if (lattice.projected != 0u) {
             const float agreement = max(dot(normal, shownNormal(shown)), 0.0);
@@ -52,5 +66,6 @@ void main() {
         sum += weight * shownRadiance(shown);
         total += weight;
     }
+    if (lacking) push.lacking.at[0] = 1u;
     push.light.at[pixel] = total > 0.0 ? sum / total : vec3(-1.0);
 }

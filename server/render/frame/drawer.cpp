@@ -56,8 +56,6 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runIsosurfaceVeil(pass_run, pass, veil_bands_);
         case plan::PassKind::kIllumination:
             return runIllumination(pass_run, pass);
-        case plan::PassKind::kGlobalLight:
-            return runGlobalLight(pass_run, pass);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -97,7 +95,7 @@ bool Drawer::settle(Target::Impl& target, const DrawList& list, std::optional<st
     try {
         target.settled = settleIllumination(pass_run, until);
         for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind == plan::PassKind::kGlobalLight || pass.kind == plan::PassKind::kLight) run(pass_run, pass);
+            if (pass.kind == plan::PassKind::kLight) run(pass_run, pass);
         }
         recorder_.submitAndWait();
     } catch (...) {

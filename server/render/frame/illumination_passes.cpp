@@ -18,6 +18,11 @@ LatticePixels pixelsOf(const PassRun& run, int layer) {
             static_cast<std::uint32_t>(run.pixels())};
 }
 
+void gatherLight(PassRun& run, IlluminationLattice& lattice, int layer) {
+    ensureBytes(run.device, run.target.global_light, run.pixels() * sizeof(glm::vec3), gpu::Memory::kDevice, "global light");
+    lattice.gather(latticeRun(run), pixelsOf(run, layer), run.target.global_light.address(), "global light", run.list.settled);
+}
+
 }  // namespace
 
 LatticeRun latticeRun(const PassRun& run) {
@@ -28,21 +33,19 @@ LatticeRun latticeRun(const PassRun& run) {
 }
 
 void runIllumination(PassRun& run, const plan::PassPlan& pass) {
-    run.recorder.submitAndWait();
     IlluminationLattice& lattice = latticeOf(run.list, pass.layer);
     const LatticeRun lattice_run = latticeRun(run);
+    // Mostly everything is there: then the pixels' light is, too.
+    gatherLight(run, lattice, pass.layer);
+    run.recorder.submitAndWait();
+    if (!lattice.lacking()) return;
     lattice.request(lattice_run, pixelsOf(run, pass.layer), 0);
     if (run.list.settled) {
         lattice.refine(lattice_run, {});
     } else {
         lattice.lightFirst(lattice_run);
     }
-}
-
-void runGlobalLight(PassRun& run, const plan::PassPlan& pass) {
-    ensureBytes(run.device, run.target.global_light, run.pixels() * sizeof(glm::vec3), gpu::Memory::kDevice, "global light");
-    latticeOf(run.list, pass.layer)
-        .gather(latticeRun(run), pixelsOf(run, pass.layer), run.target.global_light.address(), pass.name);
+    gatherLight(run, lattice, pass.layer);
 }
 
 bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until) {
@@ -56,6 +59,7 @@ bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::t
             lattice.request(lattice_run, pixelsOf(run, pass.layer), run.target.surface_number);
         }
         done = lattice.refine(lattice_run, until) && done;
+        gatherLight(run, lattice, pass.layer);
     }
     return done;
 }

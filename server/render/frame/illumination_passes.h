@@ -11,15 +11,12 @@ namespace radiata::render {
 /// What the lattice's own passes run with.
 LatticeRun latticeRun(const PassRun& run);
 
-/// Asks for the texels that this sample's pixels need. Of a picture that is not settled each gets its first samples, else all
-/// that it takes.
+/// Light of the layer's pixels. Where texels are lacking they are asked for: of a picture that is not settled each gets its
+/// first samples, else all that it takes.
 void runIllumination(PassRun& run, const plan::PassPlan& pass);
 
-/// Light of the layer's pixels, from what texels there are.
-void runGlobalLight(PassRun& run, const plan::PassPlan& pass);
-
-/// Goes on with the texels of the picture's first sample, whose surface buffer must still be there, then lights it anew.
-/// \return whether all are as exact as asked for  \throws Error(kCancelled); the picture's first sample stays
+/// Goes on with the texels of the picture's first sample, whose surface buffer must still be there, and lights its pixels by
+/// them. \return whether all are as exact as asked for  \throws Error(kCancelled); the picture's first sample stays
 bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until);
 
 /// Sums over layers.

@@ -59,6 +59,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       bricks_((size_ + 7) / 8),
       pool_(device, product(bricks_), payloadBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
+    lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
     if (product(size_) >> 32 != 0) {
         throw Error(Code::kUnsupported, "an illumination lattice of " + std::to_string(product(size_)) +
                                             " texels; 2^32 is the limit: choose a lower resolution");

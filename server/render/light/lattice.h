@@ -72,7 +72,11 @@ public:
     bool done() const { return active_.empty(); }
 
     /// Radiance of a white surface for each pixel of the layer into vec3[pixels]; negative where nothing is known.
-    void gather(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t light_address, const std::string& pass);
+    /// \param settled  whether lacking() counts texels that are there and not done
+    void gather(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t light_address, const std::string& pass,
+                bool settled);
+    /// Whether the latest gather(), when it has run, found a texel lacking.
+    bool lacking() const { return lacking_.as<std::uint32_t>()[0] != 0; }
 
     model::IlluminationInfo info() const;
     const gpu::Buffer& params() const { return params_; }
@@ -107,7 +111,7 @@ private:
     bool lit_ = false;
     LatticePool pool_;
     std::unique_ptr<LatticeLightBuffers> light_buffers_;
-    gpu::Buffer params_, items_, sums_;
+    gpu::Buffer params_, items_, sums_, lacking_;
 
     /// A requested texel. Its row of sums stays while the request does.
     struct Texel {

@@ -148,13 +148,18 @@ model::IlluminationInfo IlluminationLattice::info() const {
 }
 
 void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t light_address,
-                                 const std::string& pass) {
+                                 const std::string& pass, bool settled) {
     struct Push {
-        std::uint64_t frame, layer, surface, lattice, light;
+        std::uint64_t frame, layer, surface, lattice, light, lacking;
+        float relative_error;
+        std::uint32_t samples_max, samples_least;
     };
-    run.recorder.dispatch(run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation)}),
-                          pass, (pixels.pixels + 63) / 64, 1, 1,
-                          Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address});
+    lacking_.as<std::uint32_t>()[0] = 0;
+    run.recorder.dispatch(
+        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation)}), pass,
+        (pixels.pixels + 63) / 64, 1, 1,
+        Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address(),
+             settled ? light_.relative_error : -1, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
 }
 
 std::optional<std::uint64_t> IlluminationLattice::placeOf(const glm::ivec3& texel) const {

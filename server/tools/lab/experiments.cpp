@@ -34,6 +34,13 @@ const std::vector<Experiment>& experiments() {
         {"isosurface-hits", "the cubic on four million chords; primary rays with and without bricks, exact and marched",
          isosurfaceHits},
         {"wyman-fig5", "Wyman et al. 2006, Fig. 5: normals of the trilinear cell and of the smoothing spline", wymanFig5},
+        {"wyman-table2", "Wyman et al. 2006, Table 2: frames with ready texels, with no shadows and with shadow rays",
+         wymanTable2},
+        {"wyman-fig6", "Wyman et al. 2006, Fig. 6: error by the texels that light a point", wymanFig6},
+        {"wyman-fig7", "Wyman et al. 2006, Fig. 7: error by samples per texel, of irradiance and of transfer", wymanFig7},
+        {"wyman-fig12", "Wyman et al. 2006, Fig. 12: error by resolution of the lattice; texels on the shown surface",
+         wymanFig12},
+        {"illumination-pareto", "globally lit isosurfaces: time for texels against error", illuminationPareto},
     };
     return kAll;
 }

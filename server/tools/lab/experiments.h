@@ -23,5 +23,10 @@ Report hlawitschkaFig2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig5(gpu::Device& device, const Options& options);
 Report isosurfaceHits(gpu::Device& device, const Options& options);
 Report wymanFig5(gpu::Device& device, const Options& options);
+Report wymanFig6(gpu::Device& device, const Options& options);
+Report wymanFig7(gpu::Device& device, const Options& options);
+Report wymanFig12(gpu::Device& device, const Options& options);
+Report wymanTable2(gpu::Device& device, const Options& options);
+Report illuminationPareto(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
