@@ -18,6 +18,7 @@ namespace {
 struct Options {
     RequestOptions request;
     std::vector<std::uint32_t> pixel;
+    std::uint32_t radius_px = 3;
     bool json = false;
 };
 
@@ -59,11 +60,39 @@ std::string describe(const v1::PickedSurface& surface) {
                                         {"value", formatNumber(surface.value(), 5)}});
 }
 
+std::string describe(const v1::PickedFibre& fibre) {
+    std::string groups;
+    for (const std::string& group : fibre.groups()) groups += (groups.empty() ? "" : ", ") + group;
+    std::vector<Row> rows = {
+        {"layer", std::to_string(fibre.layer()) + " (" + fibre.dataset_id() + ")"},
+        {"fibre", std::to_string(fibre.fibre())},
+        {"point", std::to_string(fibre.point())},
+        {"position mm", vectorText(fibre.position_mm(), 3)},
+        {"tangent", vectorText(fibre.tangent(), 4)},
+        {"length mm", formatNumber(fibre.length_mm(), 2)},
+        {"distance pixels", formatNumber(fibre.distance_px(), 1)},
+        {"groups", groups.empty() ? "none" : groups},
+    };
+    for (const v1::FibreValue& value : fibre.values()) {
+        std::string numbers;
+        for (const float number : value.numbers()) numbers += (numbers.empty() ? "" : ", ") + formatNumber(number, 5);
+        rows.push_back({value.column(), numbers});
+    }
+    return formatTable({"picked", ""}, rows);
+}
+
+std::string describe(const v1::PickResponse& response) {
+    if (response.has_fibre()) return describe(response.fibre());
+    if (response.has_surface()) return describe(response.surface());
+    return response.has_glyph() ? describe(response.glyph()) : "nothing lies under this pixel\n";
+}
+
 void pick(const ConnectionOptions& connection_options, const Options& options) {
     v1::PickRequest request;
     *request.mutable_request() = makeRequest(options.request);
     request.set_x(options.pixel[0]);
     request.set_y(options.pixel[1]);
+    request.set_radius_px(options.radius_px);
     const Connection connection(connection_options);
     completeRequest(*request.mutable_request(), connection, options.request.plane);
     grpc::ClientContext context;
@@ -73,9 +102,7 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
     if (options.json) {
         writeFile("-", messageToJson(response).dump(2) + "\n");
     } else {
-        writeFile("-", response.has_glyph()     ? describe(response.glyph())
-                       : response.has_surface() ? describe(response.surface())
-                                                : "nothing lies under this pixel\n");
+        writeFile("-", describe(response));
     }
 }
 
@@ -83,13 +110,16 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
 
 void addPickCommand(CLI::App& app, const ConnectionOptions& connection) {
     const auto options = std::make_shared<Options>();
-    CLI::App* command = app.add_subcommand("pick", "What lies under a pixel: voxel, place, direction, amplitude, peaks");
+    CLI::App* command =
+        app.add_subcommand("pick", "What lies under a pixel: voxel or fibre, place, direction, amplitude, peaks");
     addRequestOptions(*command, options->request, true);
     command->add_option("--pixel", options->pixel, "Column and row from the picture's upper left corner, from 0")
         ->delimiter(',')
         ->expected(2)
         ->type_name("X,Y")
         ->required();
+    command->add_option("--radius", options->radius_px, "Pixels within which a fibre is looked for, 0 to 64")
+        ->capture_default_str();
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &connection] { pick(connection, *options); });
 }

@@ -136,28 +136,12 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     quality.set_sun_table(options.sun_table);
     if (options.tensors.march.ByteSizeLong() > 0) *quality.mutable_tensor_march() = options.tensors.march;
     setTessellation(quality, options);
+    setFibreQuality(quality, options.fibres);
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
 }
 
-std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connection) {
-    grpc::ClientContext context;
-    connection.prepare(context);
-    v1::ListDatasetsResponse response;
-    connection.check(stub.ListDatasets(&context, {}, &response));
-    std::string ids;
-    std::string only;
-    int count = 0;
-    for (const v1::Dataset& dataset : response.datasets()) {
-        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME) continue;  // colours glyphs and has none
-        ids += (ids.empty() ? "" : ", ") + dataset.id();
-        only = dataset.id();
-        ++count;
-    }
-    if (count == 1) return only;
-    refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
-}
-
-void setGlyphLayer(v1::Layer& layer, const RequestOptions& options) {
+void addGlyphs(v1::Scene& scene, const RequestOptions& options) {
+    v1::Layer& layer = *scene.add_layers();
     if (options.opacity) layer.set_opacity(*options.opacity);
     if (options.no_casting) layer.set_casts_shadows(false);
     v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
@@ -172,20 +156,23 @@ void setGlyphLayer(v1::Layer& layer, const RequestOptions& options) {
     if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
 }
 
-/// What a default camera has to show: the first isosurface's volume seen along the plane's normal, or else the glyphs.
-v1::FitCameraRequest cameraWish(const v1::Scene& scene, v1::Plane plane) {
-    v1::FitCameraRequest fit;
-    for (const v1::Layer& layer : scene.layers()) {
-        if (!layer.has_isosurface()) continue;
-        fit.set_dataset_id(layer.isosurface().dataset_id());
-        fit.mutable_selection()->mutable_slice()->set_plane(plane == v1::PLANE_OBLIQUE ? v1::PLANE_AXIAL : plane);
-        return fit;
+std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connection) {
+    grpc::ClientContext context;
+    connection.prepare(context);
+    v1::ListDatasetsResponse response;
+    connection.check(stub.ListDatasets(&context, {}, &response));
+    std::string ids;
+    std::string only;
+    int count = 0;
+    for (const v1::Dataset& dataset : response.datasets()) {
+        // Volumes of numbers colour glyphs and have none; tractograms are named by --tracts.
+        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM) continue;
+        ids += (ids.empty() ? "" : ", ") + dataset.id();
+        only = dataset.id();
+        ++count;
     }
-    v1::Layer first = scene.layers(0);
-    const v1::GlyphLayer& glyphs = glyphsOf(first);
-    fit.set_dataset_id(glyphs.dataset_id());
-    *fit.mutable_selection() = glyphs.selection();
-    return fit;
+    if (count == 1) return only;
+    refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
 }
 
 }  // namespace
@@ -214,6 +201,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addVector(app, "--uniform-colour", options.uniform_colour, "Colour of --colour uniform, linear RGB 0 to 1 (default grey)")
         ->type_name("R,G,B");
     addTensorOptions(app, options.tensors);
+    addFibreOptions(app, options.fibres);
     addIsosurfaceOptions(app, options.isosurfaces);
     app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
     addUncertaintyOptions(app, options.uncertainty);
@@ -256,7 +244,10 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::FrameRequest request;
     setSize(request, options.size);
     v1::Scene& scene = *request.mutable_scene();
-    if (options.isosurfaces.layers.empty() || !options.dataset.empty()) setGlyphLayer(*scene.add_layers(), options);
+    addFibres(scene, options.fibres);
+    // Tractograms and isosurfaces may stand alone.
+    const bool alone = !options.fibres.dataset.empty() || !options.isosurfaces.layers.empty();
+    if (!alone || !options.dataset.empty()) addGlyphs(scene, options);
     setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
@@ -269,13 +260,25 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
 
 void completeRequest(v1::FrameRequest& request, const Connection& connection, v1::Plane plane) {
     const auto stub = v1::CatalogService::NewStub(connection.channel());
-    v1::Layer& first = *request.mutable_scene()->mutable_layers(0);
-    if (!first.has_isosurface()) {
-        v1::GlyphLayer& glyphs = glyphsOf(first);
+    v1::FitCameraRequest fit;
+    for (v1::Layer& layer : *request.mutable_scene()->mutable_layers()) {
+        if (layer.has_tractogram()) {
+            if (fit.dataset_id().empty()) fit.set_dataset_id(layer.tractogram().dataset_id());
+            continue;
+        }
+        if (layer.has_isosurface()) {
+            // A volume is seen as a whole, along the plane's normal.
+            if (!fit.dataset_id().empty()) continue;
+            fit.set_dataset_id(layer.isosurface().dataset_id());
+            fit.mutable_selection()->mutable_slice()->set_plane(plane == v1::PLANE_OBLIQUE ? v1::PLANE_AXIAL : plane);
+            continue;
+        }
+        v1::GlyphLayer& glyphs = glyphsOf(layer);
         if (glyphs.dataset_id().empty()) glyphs.set_dataset_id(onlyDataset(*stub, connection));
+        fit.set_dataset_id(glyphs.dataset_id());
+        *fit.mutable_selection() = glyphs.selection();
     }
     if (request.has_camera()) return;
-    v1::FitCameraRequest fit = cameraWish(request.scene(), plane);
     fit.set_convention(request.scene().annotations().convention());
     // Kept within what FitCamera takes, so that an impossible size is refused where the picture is asked for, as a size.
     fit.set_aspect(std::clamp(static_cast<double>(request.width()) / std::max(request.height(), 1U), 0.05, 20.0));

@@ -12,6 +12,7 @@
 #include "radiata/v1/frame.pb.h"
 
 #include "common/connection.h"
+#include "common/fibre_options.h"
 #include "common/isosurface_options.h"
 #include "common/light_options.h"
 #include "common/tensor_options.h"
@@ -39,6 +40,7 @@ struct RequestOptions {
     std::vector<double> uniform_colour;
     TensorOptions tensors;
     IsosurfaceOptions isosurfaces;
+    FibreOptions fibres;
     std::optional<float> opacity;
     UncertaintyOptions uncertainty;
     std::optional<float> isotropic_part;

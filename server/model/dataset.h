@@ -11,8 +11,9 @@
 
 namespace radiata::model {
 
-/// What a dataset holds. Scalar volumes have size, place and the range of their values; the rest is about glyphs.
-enum class DatasetKind { kShImage, kScalarVolume };
+/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms counts and bounds; the rest
+/// is about glyphs.
+enum class DatasetKind { kShImage, kScalarVolume, kTractogram };
 
 struct DatasetInfo {
     std::string id;  ///< [a-z0-9_-], 1 to 64 characters
@@ -29,8 +30,9 @@ struct DatasetInfo {
     float amplitude_max = 0;
     float amplitude_typical = 0;  ///< three quarters of the glyphs stay below it; what global scaling divides by
     std::uint64_t gpu_bytes = 0;
+    std::uint64_t fibres = 0, points = 0;     ///< of a tractogram
     float value_min = 0, value_max = 0;       ///< of a scalar volume's finite values
-    glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs
+    glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs; points of fibres
 };
 
 }  // namespace radiata::model

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "model/fiblet_head.h"
+#include "model/tractogram.h"
 
 namespace radiata::model {
 
@@ -43,6 +44,7 @@ struct FibletSet {
     std::vector<std::uint32_t> fibre_fiblets;  ///< as many as heads
     std::vector<FibreColumn> fibre_columns;
     std::vector<PointColumn> point_columns;
+    std::vector<FibreGroup> groups;
 
     std::uint64_t points = 0;  ///< that are decoded, each fibre's counted once
     FibletErrors errors;       ///< of decoded points against the points that were encoded

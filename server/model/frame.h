@@ -38,6 +38,8 @@ struct Quality {
     RayMarchSettings ray_march;     ///< of the marches with equal steps
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
     IsosurfaceSettings isosurface;
+    FibletPipeline fiblet_pipeline = FibletPipeline::kAtomic;
+    FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

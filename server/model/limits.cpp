@@ -77,7 +77,6 @@ void checkContent(const GlyphLayer& glyphs, const std::string& where) {
     }
 }
 
-void checkContent(const TractogramLayer& /*tracts*/, const std::string& /*where*/) {}
 void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
     if (surface.isovalue && !std::isfinite(*surface.isovalue)) {
         refuse(where + ".isovalue is " + std::to_string(*surface.isovalue) + "; it must be a finite value of the volume");
@@ -95,6 +94,53 @@ void checkIsosurfaces(const IsosurfaceSettings& settings) {
     if (settings.bisections < 0 || settings.bisections > 32) {
         refuse("quality.isosurface.bisections is " + std::to_string(settings.bisections) + "; it must be 0 to 32");
     }
+}
+
+void checkFibres(const FibreSet& fibres, const std::string& where) {
+    for (const std::optional<float>& bound : {fibres.length_min_mm, fibres.length_max_mm}) {
+        if (bound && !(*bound >= 0 && std::isfinite(*bound))) {
+            refuse(where + ".length is " + std::to_string(*bound) + " mm; it must be 0 or more and finite");
+        }
+    }
+    if (fibres.length_min_mm && fibres.length_max_mm && *fibres.length_min_mm > *fibres.length_max_mm) {
+        refuse(where + ".length_min_mm is above length_max_mm: no fibre could be shown");
+    }
+}
+
+void checkContent(const TractogramLayer& tracts, const std::string& where) {
+    if (tracts.line_width_px < 1 || tracts.line_width_px > kLineWidthMax) {
+        refuse(where + ".line_width_px is " + std::to_string(tracts.line_width_px) + "; it must be 1 to " +
+               std::to_string(kLineWidthMax));
+    }
+    if (tracts.tube_radius_mm && !(*tracts.tube_radius_mm > 0 && *tracts.tube_radius_mm <= kTubeRadiusMaxMm)) {
+        refuse(where + ".tube_radius_mm is " + std::to_string(*tracts.tube_radius_mm) + "; it must be above 0 and at most 100");
+    }
+    if (tracts.cuts.size() > kFibreCutsMax) {
+        refuse(where + " has " + std::to_string(tracts.cuts.size()) + " cuts, a slab being two; at most 6 are possible");
+    }
+    for (std::size_t i = 0; i < tracts.cuts.size(); ++i) {
+        const FibreCut& cut = tracts.cuts[i];
+        const double length = glm::length(cut.normal);
+        if (!(length > 0 && std::isfinite(length)) || !std::isfinite(glm::length(cut.point_mm))) {
+            refuse(where + ".cuts[" + std::to_string(i) + "]: point and normal must be finite and the normal not zero");
+        }
+    }
+    const FibreColour& colour = tracts.colour;
+    if (colour.mode == FibreColourMode::kColumn && colour.column.empty()) {
+        refuse(where + ".colour.column.name is empty; the catalogue lists the columns");
+    }
+    if (colour.range &&
+        !(std::isfinite(colour.range->low) && std::isfinite(colour.range->high) && colour.range->low < colour.range->high)) {
+        refuse(where + ".colour range is " + std::to_string(colour.range->low) + " to " + std::to_string(colour.range->high) +
+               "; both must be finite, low below high");
+    }
+    for (int c = 0; c < 3; ++c) {
+        if (!(colour.uniform[c] >= 0 && colour.uniform[c] <= 1)) {
+            refuse(where + ".colour.uniform is outside 0 to 1 (linear RGB)");
+        }
+    }
+    checkFibres(tracts.shown, where + ".shown");
+    if (tracts.selected) checkFibres(*tracts.selected, where + ".selected");
 }
 
 void checkLayer(const Layer& layer, const std::string& where) {

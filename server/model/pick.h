@@ -1,6 +1,7 @@
 // What lies under a pixel: a point on a glyph, its function and its peaks; or a point on an isosurface.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <variant>
 #include <vector>
@@ -45,6 +46,27 @@ struct PickedSurface {
     double value = 0;           ///< of the trilinear volume there
 };
 
-using Picked = std::variant<PickedGlyph, PickedSurface>;
+struct FibreValue {
+    std::string column;
+    std::vector<float> numbers;  ///< of the fibre
+    bool operator==(const FibreValue&) const = default;
+};
+
+struct PickedFibre {
+    int layer = 0;
+    std::string dataset_id;
+    std::uint32_t fibre = 0;
+    std::uint32_t point = 0;          ///< before the place, from 0
+    glm::dvec3 position_mm{0};        ///< world, on the fibre
+    glm::dvec3 tangent{0};            ///< unit, world
+    double length_mm = 0;             ///< of the fibre
+    double distance_px = 0;           ///< from the pixel that was asked for
+    std::vector<std::string> groups;  ///< that the fibre is in
+    std::vector<FibreValue> values;
+};
+
+using Picked = std::variant<PickedGlyph, PickedFibre, PickedSurface>;
+/// How far from the pixel fibres are looked for.
+constexpr int kPickRadiusMax = 64;
 
 }  // namespace radiata::model

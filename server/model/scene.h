@@ -11,6 +11,7 @@
 #include "math/colour_map.h"
 #include "model/illumination.h"
 #include "model/isosurface_layer.h"
+#include "model/tractogram_layer.h"
 
 namespace radiata::model {
 
@@ -83,12 +84,6 @@ struct GlyphLayer {
     std::optional<Uncertainty> uncertainty;
     float isotropic_part = 0;  ///< added in all directions, in units of the dataset's typical amplitude
     bool operator==(const GlyphLayer&) const = default;
-};
-
-/// Streamlines of a tractogram.
-struct TractogramLayer {
-    std::string dataset_id;
-    bool operator==(const TractogramLayer&) const = default;
 };
 
 struct Layer {

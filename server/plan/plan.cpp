@@ -169,7 +169,7 @@ void resolveMethod(model::Quality& quality, bool uses_table) {
 /// Passes of the layer that writes the surface buffer first need nothing from it.
 void markFirst(std::vector<PassPlan>& passes) {
     const auto writes = [](const PassPlan& pass) {
-        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface ||
+        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface || pass.kind == PassKind::kFiblets ||
                pass.kind == PassKind::kIsosurfaceTrace;
     };
     const auto first = std::ranges::find_if(passes, writes);
@@ -214,11 +214,13 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     const bool table_asked = method == model::Intersection::kPoleTable;
     const model::PoleTable table_wanted = table_asked ? model::PoleTable::kOn : request.quality.pole_table;
     const TableUse table_use = tableUse(request.scene.layers, layers);
+    plan.fiblets.resize(layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
         plan.layer_kinds |= 1U << request.scene.layers[i].content.index();
         if (!request.scene.layers[i].ifGlyphs()) {
             plan.glyphs.emplace_back();
             if (request.scene.layers[i].ifSurface()) planIsosurface(plan, i, layers[i]);
+            if (request.scene.layers[i].ifTracts()) planFiblets(i, layers[i], abilities, plan);
             continue;
         }
         const std::string where = "scene.layers[" + std::to_string(i) + "].glyphs";

@@ -10,6 +10,7 @@
 
 #include "math/sh_layout.h"
 #include "model/frame.h"
+#include "plan/plan_fiblets.h"
 
 namespace radiata::plan {
 
@@ -20,7 +21,8 @@ struct Abilities {
     bool tiles = true;
     bool software = false;  ///< a CPU rasteriser
     bool raster = false;    ///< draws triangles
-    bool float64 = false;   ///< shaders in double precision
+    bool int64_atomics = false;
+    bool float64 = false;  ///< shaders in double precision
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -29,16 +31,17 @@ struct LayerFacts {
     int tensor_order = 0;      ///< of the dataset's tensors; 0: it has none
     std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
-    double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
-    double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
-    double radius_typical_mm = 0;         ///< of the typical amplitude
-    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer or is its isosurface, if there is one
-    double value_split = 0;               ///< of an isosurface's volume: what splits it best in two
-    bool odd_bands_only = false;          ///< all even bands of a full layout are 0
-    bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
-    double voxel_edge_mm = 0;             ///< the shortest
-    double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
-    std::vector<LayerFacts> uncertainty;  ///< of the layer's second glyphs: one entry, or none
+    double rays_per_glyph = 0;              ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
+    double depth_complexity = 1;            ///< estimate: glyph boxes along one ray
+    double radius_typical_mm = 0;           ///< of the typical amplitude
+    double value_min = 0, value_max = 0;    ///< of the volume that colours the layer or is its isosurface, if there is one
+    double value_split = 0;                 ///< of an isosurface's volume: what splits it best in two
+    bool odd_bands_only = false;            ///< all even bands of a full layout are 0
+    bool camera_close = false;              ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double voxel_edge_mm = 0;               ///< the shortest
+    double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
+    std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
+    std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
 /// How one glyph layer is drawn.
@@ -73,6 +76,7 @@ enum class PassKind {
     kClear,            ///< an empty surface buffer, where no pass writes all of it
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
+    kFiblets,          ///< culls, draws and hands on a layer of fibres
     kIllumination,     ///< global light of an isosurface, and the texels that it lacks
     kSunTable,
     kShadow,
@@ -94,12 +98,14 @@ struct FramePlan {
     model::FrameRequest resolved;                       ///< the request with every choice filled in
     std::vector<GlyphPlan> glyphs;                      ///< one per layer; empty for layers of other kinds
     std::vector<std::optional<GlyphPlan>> uncertainty;  ///< of each layer's second glyphs, where it has them
+    std::vector<std::optional<FibletPlan>> fiblets;     ///< of layers of fibres
     VisibilityPlan visibility;
     std::vector<PassPlan> passes;
     /// What the light pass is compiled for: bit 1 << model::ColourMode for each that some layer has.
     std::uint32_t colour_modes = 0;
     /// And for which kinds of layers: bit 1 << index of model::Layer::content.
     std::uint32_t layer_kinds = 0;
+    std::uint32_t fibre_colours = 0;  ///< bit 1 << model::FibreColourMode for each that some layer has
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;

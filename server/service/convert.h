@@ -22,6 +22,9 @@ namespace radiata::service {
 // From the contract. All \throw Error(kInvalidArgument) naming the field; `where` is the path of the message in the request.
 model::Camera fromProto(const v1::Camera& camera, const std::string& where);
 model::VoxelSelection fromProto(const v1::VoxelSelection& selection, const std::string& where);
+ColourMap fromProto(v1::ColourMap map, const std::string& where);
+model::TractogramLayer fromProto(const v1::TractogramLayer& layer, const std::string& where);
+model::FibletCulling cullingOf(v1::FibletCulling culling);
 model::GlyphColour fromProto(const v1::GlyphColour& colour, const std::string& where);
 model::Convention fromProto(v1::Annotations::Convention convention, const std::string& where);
 model::Light fromProto(const v1::Light& light, const std::string& where);
@@ -43,6 +46,9 @@ session::ImageFormat formatFromProto(v1::ImageFormat format, const std::string& 
 // To the contract.
 v1::Vec3 toProto(const glm::dvec3& vector);
 v1::Camera toProto(const model::Camera& camera);
+v1::ColourMap toProto(ColourMap map);
+v1::TractogramLayer toProto(const model::TractogramLayer& layer);
+v1::FibletCulling cullingOf(model::FibletCulling culling);
 v1::GlyphColour toProto(const model::GlyphColour& colour);
 v1::Light toProto(const model::Light& light);
 v1::Uncertainty toProto(const model::Uncertainty& uncertainty);

@@ -92,9 +92,10 @@ v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs) {
 v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
-    message.set_kind(info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
-                     : info.tensor_order > 0                        ? v1::DATASET_KIND_TENSOR_IMAGE
-                                                                    : v1::DATASET_KIND_SH_IMAGE);
+    message.set_kind(info.kind == model::DatasetKind::kTractogram     ? v1::DATASET_KIND_TRACTOGRAM
+                     : info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
+                     : info.tensor_order > 0                          ? v1::DATASET_KIND_TENSOR_IMAGE
+                                                                      : v1::DATASET_KIND_SH_IMAGE);
     message.set_tensor_order(static_cast<std::uint32_t>(info.tensor_order));
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {
@@ -106,6 +107,8 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
         message.set_convention(info.tensor_order > 0 ? info.tensor_format : std::string(name(info.convention)));
         message.set_axes(std::string(name(info.axes)));
     }
+    message.set_fibres(info.fibres);
+    message.set_points(info.points);
     message.set_value_min(info.value_min);
     message.set_value_max(info.value_max);
     message.set_glyph_count(info.glyph_count);

@@ -5,7 +5,23 @@
 namespace radiata::service {
 namespace {
 
-ColourMap mapFromProto(v1::ColourMap map, const std::string& where) {
+template <typename Message>
+void mapFromProto(const Message& message, model::GlyphColour& colour, const std::string& where) {
+    colour.map = fromProto(message.map(), where + ".map");
+    if (message.has_range()) colour.range = model::ColourRange{message.range().low(), message.range().high()};
+}
+
+template <typename Message>
+void mapToProto(const model::GlyphColour& colour, Message& message) {
+    message.set_map(toProto(colour.map));
+    if (!colour.range) return;
+    message.mutable_range()->set_low(colour.range->low);
+    message.mutable_range()->set_high(colour.range->high);
+}
+
+}  // namespace
+
+ColourMap fromProto(v1::ColourMap map, const std::string& where) {
     checkEnum(map, v1::ColourMap_IsValid, v1::ColourMap_MAX, where);
     switch (map) {
         case v1::COLOUR_MAP_INFERNO:
@@ -36,22 +52,6 @@ v1::ColourMap toProto(ColourMap map) {
     }
     return v1::COLOUR_MAP_UNSPECIFIED;
 }
-
-template <typename Message>
-void mapFromProto(const Message& message, model::GlyphColour& colour, const std::string& where) {
-    colour.map = mapFromProto(message.map(), where + ".map");
-    if (message.has_range()) colour.range = model::ColourRange{message.range().low(), message.range().high()};
-}
-
-template <typename Message>
-void mapToProto(const model::GlyphColour& colour, Message& message) {
-    message.set_map(toProto(colour.map));
-    if (!colour.range) return;
-    message.mutable_range()->set_low(colour.range->low);
-    message.mutable_range()->set_high(colour.range->high);
-}
-
-}  // namespace
 
 model::GlyphColour fromProto(const v1::GlyphColour& colour, const std::string& where) {
     model::GlyphColour result;

@@ -5,7 +5,7 @@ namespace radiata::service {
 
 namespace {
 
-void fill(v1::PickResponse& message, const model::PickedGlyph& picked) {
+void setPicked(const model::PickedGlyph& picked, v1::PickResponse& message) {
     v1::PickedGlyph& glyph = *message.mutable_glyph();
     glyph.set_layer(static_cast<std::uint32_t>(picked.layer));
     glyph.set_dataset_id(picked.dataset_id);
@@ -24,7 +24,7 @@ void fill(v1::PickResponse& message, const model::PickedGlyph& picked) {
     }
 }
 
-void fill(v1::PickResponse& message, const model::PickedSurface& picked) {
+void setPicked(const model::PickedSurface& picked, v1::PickResponse& message) {
     v1::PickedSurface& surface = *message.mutable_surface();
     surface.set_layer(static_cast<std::uint32_t>(picked.layer));
     surface.set_dataset_id(picked.dataset_id);
@@ -34,11 +34,29 @@ void fill(v1::PickResponse& message, const model::PickedSurface& picked) {
     surface.set_value(picked.value);
 }
 
+void setPicked(const model::PickedFibre& picked, v1::PickResponse& message) {
+    v1::PickedFibre& fibre = *message.mutable_fibre();
+    fibre.set_layer(static_cast<std::uint32_t>(picked.layer));
+    fibre.set_dataset_id(picked.dataset_id);
+    fibre.set_fibre(picked.fibre);
+    fibre.set_point(picked.point);
+    *fibre.mutable_position_mm() = toProto(picked.position_mm);
+    *fibre.mutable_tangent() = toProto(picked.tangent);
+    fibre.set_length_mm(picked.length_mm);
+    fibre.set_distance_px(picked.distance_px);
+    for (const std::string& group : picked.groups) fibre.add_groups(group);
+    for (const model::FibreValue& value : picked.values) {
+        v1::FibreValue& added = *fibre.add_values();
+        added.set_column(value.column);
+        for (const float number : value.numbers) added.add_numbers(number);
+    }
+}
+
 }  // namespace
 
 v1::PickResponse toProto(const model::Picked& picked) {
     v1::PickResponse message;
-    std::visit([&message](const auto& what) { fill(message, what); }, picked);
+    std::visit([&message](const auto& kind) { setPicked(kind, message); }, picked);
     return message;
 }
 

@@ -83,7 +83,10 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     checkEnum(quality.pole_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".pole_table");
     checkEnum(quality.sun_table(), v1::PoleTable_IsValid, v1::PoleTable_MAX, where + ".sun_table");
     checkEnum(quality.glyph_boxes(), v1::GlyphBoxes_IsValid, v1::GlyphBoxes_MAX, where + ".glyph_boxes");
+    checkEnum(quality.fiblet_pipeline(), v1::FibletPipeline_IsValid, v1::FibletPipeline_MAX, where + ".fiblet_pipeline");
+    checkEnum(quality.fiblet_culling(), v1::FibletCulling_IsValid, v1::FibletCulling_MAX, where + ".fiblet_culling");
     model::Quality result;
+    result.fiblet_culling = cullingOf(quality.fiblet_culling());
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     result.intersection = methodOf(quality.intersection());
@@ -124,6 +127,8 @@ v1::Quality toProto(const model::Quality& quality) {
     v1::Quality message;
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
     *message.mutable_isosurface() = toProto(quality.isosurface);
+    message.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    message.set_fiblet_culling(cullingOf(quality.fiblet_culling));
     message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
     message.set_intersection(methodOf(quality.intersection));
     setMethodSettings(message, quality);

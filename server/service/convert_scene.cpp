@@ -140,7 +140,7 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
         const v1::Layer& layer = scene.layers(i);
         const std::string layer_where = where + ".layers[" + std::to_string(i) + "]";
         if (layer.content_case() == v1::Layer::CONTENT_NOT_SET)
-            refuse(layer_where + ".glyphs is missing; a layer has glyphs, tensor_glyphs or isosurface");
+            refuse(layer_where + ".glyphs is missing; a layer has glyphs, tensor_glyphs, a tractogram or an isosurface");
         model::Layer& added = result.layers.emplace_back();
         if (layer.has_tensor_glyphs()) {
             const v1::TensorGlyphLayer& tensors = layer.tensor_glyphs();
@@ -148,6 +148,8 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
             added.glyphs().tensor = fromProto(tensors.shape(), layer_where + ".tensor_glyphs.shape");
         } else if (layer.has_isosurface()) {
             added.content = fromProto(layer.isosurface());
+        } else if (layer.has_tractogram()) {
+            added.content = fromProto(layer.tractogram(), layer_where + ".tractogram");
         } else {
             added.glyphs() = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
         }
@@ -167,6 +169,8 @@ v1::Scene toProto(const model::Scene& scene) {
         v1::Layer* added = message.add_layers();
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             *added->mutable_isosurface() = service::toProto(*surface);
+        } else if (layer.ifTracts()) {
+            *added->mutable_tractogram() = toProto(layer.tracts());
         } else if (layer.glyphs().tensor) {
             *added->mutable_tensor_glyphs()->mutable_glyphs() = toProto(layer.glyphs());
             added->mutable_tensor_glyphs()->set_shape(toProto(*layer.glyphs().tensor));

@@ -36,9 +36,10 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
         }
         const int x = static_cast<int>(message.x()), y = static_cast<int>(message.y());
         // The ray is traced by the render thread, peaks are searched by the worker, so that no view waits for them.
-        conductor_.post([this, call, picture, x, y] {
+        const int radius = toInt(message.radius_px(), "radius_px");
+        conductor_.post([this, call, picture, x, y, radius] {
             try {
-                auto found = conductor_.backend().pick(picture, x, y);
+                auto found = conductor_.backend().pick(picture, x, y, radius);
                 if (!found) return call->answer(v1::PickResponse());
                 worker_.post([call, picked = std::move(*found)]() mutable {
                     try {

@@ -29,7 +29,7 @@ struct Backend {
         fit_camera;
 
     /// What the ray through a pixel's centre hits, without its peaks; nothing if it hits nothing.
-    std::function<std::optional<model::Picked>(const model::FrameRequest& request, int x, int y)> pick;
+    std::function<std::optional<model::Picked>(const model::FrameRequest& request, int x, int y, int radius_px)> pick;
 
     // Called by any thread.
     std::function<std::vector<model::DatasetInfo>()> list;

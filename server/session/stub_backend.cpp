@@ -91,7 +91,7 @@ model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameReque
 }
 
 /// The left half of the picture is one glyph with two lobes along y; the right half is empty.
-std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y) {
+std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int /*radius_px*/) {
     const std::string& id = request.scene.layers[0].datasetId();
     const model::DatasetInfo info = lookUp(id);
     if (2 * x >= request.width) return std::nullopt;

@@ -17,7 +17,9 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     backend.fit_camera = [&renderer](const std::string& id, const model::VoxelSelection& selection,
                                      model::Convention convention,
                                      double aspect) { return renderer.fitCamera(id, selection, convention, aspect); };
-    backend.pick = [&renderer](const model::FrameRequest& request, int x, int y) { return renderer.pick(request, x, y); };
+    backend.pick = [&renderer](const model::FrameRequest& request, int x, int y, int radius_px) {
+        return renderer.pick(request, x, y, radius_px);
+    };
     backend.list = [&store] { return store.list(); };
     backend.info = [&store](const std::string& id) { return store.info(id); };
     backend.device = renderer.deviceName();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <limits>
 #include <map>
 #include <mutex>
 
@@ -63,6 +64,23 @@ void checkId(const std::string& id) {
                 "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
 }
 
+model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
+    model::DatasetInfo info;
+    info.id = id;
+    info.kind = model::DatasetKind::kTractogram;
+    info.fibres = set.fibres();
+    info.points = set.points;
+    glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
+    for (const shader::FibletPage& page : set.pages) {
+        low = glm::min(low, page.low);
+        high = glm::max(high, page.high);
+    }
+    if (set.pages.empty()) low = high = glm::vec3(0);
+    info.bounds_min = set.origin_mm + glm::dvec3(low);
+    info.bounds_max = set.origin_mm + glm::dvec3(high);
+    return info;
+}
+
 }  // namespace
 
 struct Store::Impl {
@@ -70,9 +88,12 @@ struct Store::Impl {
         std::filesystem::path path;
         std::optional<io::TensorOptions> tensors;  ///< the file holds tensors, whatever its header says
         std::mutex loading;  ///< held while the dataset loads, so that it loads once and others stay available
-        std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these two, once it is loaded
+        std::shared_ptr<const GlyphDataset> dataset;  ///< at most one of these, once it is loaded
         std::shared_ptr<const ScalarDataset> scalars;
         std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
+        std::shared_ptr<const model::FibletSet> fiblets;
+
+        std::string_view kind() const { return dataset ? "an SH image" : scalars ? "a scalar volume" : "a tractogram"; }
     };
     gpu::Device& device;
     io::ShOptions options;
@@ -98,7 +119,7 @@ struct Store::Impl {
 
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
-        if (slot.dataset || slot.scalars) return;
+        if (slot.dataset || slot.scalars || slot.fiblets) return;
         const io::StoredImage stored = io::readStoredImage(slot.path);
         if (!slot.tensors && kindOf(stored) == model::DatasetKind::kScalarVolume) {
             slot.scalars = std::make_shared<const ScalarDataset>(id, io::readScalarImage(slot.path));
@@ -164,12 +185,20 @@ void Store::add(const std::string& id, model::ScalarImage image) {
     impl_->insert(id, std::move(slot));
 }
 
+void Store::add(const std::string& id, model::FibletSet fiblets) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->fiblets = std::make_shared<const model::FibletSet>(std::move(fiblets));
+    impl_->insert(id, std::move(slot));
+}
+
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->dataset) {
-        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is a scalar volume; glyphs need an SH image");
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; glyphs need an SH image");
     }
     return slot->dataset;
 }
@@ -179,7 +208,8 @@ std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->scalars) {
-        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is an SH image; colours are taken from a scalar volume");
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; colours are taken from a scalar volume");
     }
     return slot->scalars;
 }
@@ -195,10 +225,22 @@ std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
     return slot->volume;
 }
 
+std::shared_ptr<const model::FibletSet> Store::fiblets(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->fiblets) {
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; fibres need a tractogram");
+    }
+    return slot->fiblets;
+}
+
 model::DatasetInfo Store::info(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
+    if (slot->fiblets) return fibletInfo(id, *slot->fiblets);
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
 }
 
@@ -217,6 +259,8 @@ std::vector<model::DatasetInfo> Store::list() {
             info = slot->dataset->info();
         } else if (lock && slot->scalars) {
             info = slot->scalars->info();
+        } else if (lock && slot->fiblets) {
+            info = fibletInfo(id, *slot->fiblets);
         } else if (!slot->path.empty()) {
             try {
                 const io::StoredImage stored = io::readStoredImage(slot->path);

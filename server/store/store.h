@@ -14,6 +14,7 @@
 #include "io/sh_options.h"
 #include "io/tensor_options.h"
 #include "model/dataset.h"
+#include "model/fiblet_set.h"
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
 
@@ -43,6 +44,7 @@ public:
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
     void add(const std::string& id, model::ShImage image);
     void add(const std::string& id, model::ScalarImage image);
+    void add(const std::string& id, model::FibletSet fiblets);
 
     /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
     /// one whose header cannot be read has size 0.
@@ -55,6 +57,7 @@ public:
     std::shared_ptr<const ScalarDataset> scalars(const std::string& id);
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
+    std::shared_ptr<const model::FibletSet> fiblets(const std::string& id);
 
 private:
     struct Impl;

@@ -6,14 +6,15 @@
 #include "shaders/shared/uncertainty.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/frame/base_colour.glsl"
+#include "shaders/frame/fibre_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
 #include "shaders/common/medium.glsl"
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
-layout(constant_id = 5) const bool kVeil = false;       // transparent isosurfaces stand before everything
-layout(constant_id = 6) const bool kGlobalLight = false;  // isosurfaces are lit by texels
+layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
+layout(constant_id = 7) const bool kGlobalLight = false;  // isosurfaces are lit by texels
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -59,12 +60,16 @@ void main() {
         vec3 base = vec3(0.5);
         if (isKind(look, LAYER_GLYPHS)) base = glyphColour(frame, look, surface.who, ray, surface.depth);
         if (isKind(look, LAYER_SURFACE)) base = baseColour(look, surface.who, vec3(1.0));
+        bool line = false;
+        float dimmed = 1.0;
+        if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
         vec3 lit = vec3(-1.0);
         if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
         if (lit.x < 0.0) {
-            lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+            if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+            else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         }
-        radiance = mix(radiance, lit, look.opacity);
+        radiance = mix(radiance, dimmed * lit, look.opacity);
     }
     if (kMedia) {
         const Medium medium = push.media.at[at];

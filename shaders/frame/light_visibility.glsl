@@ -2,6 +2,7 @@
 // the light of soft shadows is summed over its unblocked rays, so highlights and half-set lights come out right too.
 // Source: Peters and Dachsbacher 2019, Eq. 1 and 2: each ray stands for projected solid angle / number of rays.
 #include "shaders/common/brdf.glsl"
+#include "shaders/common/illuminated_line.glsl"
 #include "shaders/common/projected_cap.glsl"
 #include "shaders/common/ray_samples.glsl"
 
@@ -36,6 +37,17 @@ vec3 shadeVisible(FrameParams frame, BitBuffer shadow_bits, BitBuffer occlusion_
         lit = frame.irradiance * dielectricBrdfCosine(base, roughness, normal, viewer, frame.light_direction);
         if (kShadow == kHardShadow && shadow_bits.at[pixel] != 0u) lit = vec3(0.0);
     }
+    float ambient = frame.ambient;
+    if (kOcclusion) ambient *= 1.0 - float(bitCount(occlusion_bits.at[pixel])) / float(kOcclusionRays);
+    return lit + ambient * base;
+}
+
+// The same of a line, whose soft shadows are the share of rays that are blocked. \param tangent  unit
+vec3 shadeLine(FrameParams frame, BitBuffer shadow_bits, BitBuffer occlusion_bits, uint pixel, vec3 base, float roughness,
+               vec3 tangent, vec3 viewer) {
+    vec3 lit = frame.irradiance * illuminatedLine(base, roughness, tangent, viewer, frame.light_direction);
+    if (kShadow == kHardShadow && shadow_bits.at[pixel] != 0u) lit = vec3(0.0);
+    if (kShadow == kSoftShadow) lit *= 1.0 - float(bitCount(shadow_bits.at[pixel])) / float(kShadowRays);
     float ambient = frame.ambient;
     if (kOcclusion) ambient *= 1.0 - float(bitCount(occlusion_bits.at[pixel])) / float(kOcclusionRays);
     return lit + ambient * base;

@@ -26,18 +26,39 @@ constexpr float COLOUR_NO_VALUE = 3.4e38F;
 #define COLOUR_NO_VALUE 3.4e38
 #endif
 
+// Values of LayerLook.colour of fibres, model::FibreColourMode; bit 1 << value of the light pass's kFibreColours.
+#ifdef __cplusplus
+constexpr uint FIBRE_COLOUR_DIRECTION = 0;
+constexpr uint FIBRE_COLOUR_UNIFORM = 1;
+constexpr uint FIBRE_COLOUR_OWN = 2;
+constexpr uint FIBRE_COLOUR_GROUP = 3;
+constexpr uint FIBRE_COLOUR_COLUMN = 4;
+constexpr uint FIBRE_COLOUR_LENGTH = 5;
+#else
+#define FIBRE_COLOUR_DIRECTION 0u
+#define FIBRE_COLOUR_UNIFORM 1u
+#define FIBRE_COLOUR_OWN 2u
+#define FIBRE_COLOUR_GROUP 3u
+#define FIBRE_COLOUR_COLUMN 4u
+#define FIBRE_COLOUR_LENGTH 5u
+#endif
+
 struct LayerLook {
-    uint64_t instances;  // GlyphInstance[]
+    uint64_t instances;  // GlyphInstance[], or of fibres FibletHead[]
     float opacity;
     uint colour;         // COLOUR_DIRECTION, ...
     uint64_t map;        // vec3[256], linear RGB, or 0
-    uint64_t values;     // float[] by instance, COLOUR_NO_VALUE where there is none, or 0
+    uint64_t values;     // float[] by instance or fibre, COLOUR_NO_VALUE where there is none, or 0
     vec3 uniform_colour;  // linear RGB
     float range_low;     // of the map: mm, or values
     float range_high;
     uint kind;           // LAYER_GLYPHS, ...; bit 1 << value of the light pass's kLayerKinds says that some layer is of it
+    uint64_t states;     // of fibres: FIBRE_SHOWN, ..., or 0
+    uint64_t tangents;   // of fibres: what pixels keep of directions, see shaders/fiblet/raster.comp
+    uint tubes;          // 0: fibres are lines; 1: tubes; 2: selected ones are tubes
+    float unselected;    // factor on the light of fibres that are not selected
 };
-STATIC_SIZE(LayerLook, 56);
+STATIC_SIZE(LayerLook, 80);
 
 SHADER_NAMESPACE_END
 #endif

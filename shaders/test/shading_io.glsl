@@ -20,8 +20,9 @@ struct ShadingOutput {
     vec3 radiance;
     vec3 srgb;    // of `base`
     vec3 linear;  // of `base`, taken as sRGB
+    vec3 line;    // of a line along `normal`, lit by one light
 };
-STATIC_SIZE(ShadingOutput, 36);
+STATIC_SIZE(ShadingOutput, 48);
 
 SHADER_NAMESPACE_END
 #endif

@@ -8,7 +8,14 @@
 namespace radiata::test {
 namespace {
 
-class Picks : public ImageTest {};
+class Picks : public ImageTest {
+protected:
+    std::optional<model::PickedGlyph> pickGlyph(const model::FrameRequest& request, int x, int y) {
+        const std::optional<model::Picked> picked = renderer.pick(request, x, y);
+        if (!picked) return std::nullopt;
+        return std::get<model::PickedGlyph>(*picked);
+    }
+};
 
 /// Each pixel of small pictures, in perspective from the side and orthographic close up; two layers, both lobes, a band limit.
 TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
@@ -32,11 +39,9 @@ TEST_F(Picks, AnswerAsTheOutputsOfThePicture) {
         for (int y = 0; y < request.height; ++y) {
             for (int x = 0; x < request.width; ++x) {
                 const auto at = static_cast<std::size_t>(y * request.width + x);
-                const auto answer = renderer.pick(request, x, y);
-                ASSERT_EQ(answer.has_value(), frame.pixels.id[4 * at] >= 0) << x << ", " << y;
-                if (!answer) continue;
-                const auto* picked = std::get_if<model::PickedGlyph>(&*answer);
-                ASSERT_TRUE(picked);
+                const auto picked = pickGlyph(request, x, y);
+                ASSERT_EQ(picked.has_value(), frame.pixels.id[4 * at] >= 0) << x << ", " << y;
+                if (!picked) continue;
                 ++hits;
                 EXPECT_EQ(picked->layer, frame.pixels.id[4 * at]);
                 EXPECT_EQ(picked->dataset_id, picked->layer == 0 ? "first" : "second");
@@ -72,7 +77,7 @@ TEST_F(Picks, DoNotDependOnHowThePictureIsDrawn) {
     store.add("field", image);
     model::FrameRequest request = requestOf("field", 640, 480, 2);
     request.camera = cameraAround(image, {1, 2, 3}, true);
-    const auto plain = renderer.pick(request, 320, 240);
+    const auto plain = pickGlyph(request, 320, 240);
     ASSERT_TRUE(plain);
     request.quality.traversal = model::Traversal::kTiles;
     request.quality.intersection = model::Intersection::kPolynomial;
@@ -83,10 +88,10 @@ TEST_F(Picks, DoNotDependOnHowThePictureIsDrawn) {
     request.quality.intersection = model::Intersection::kMarch;
     render::Target target;
     renderer.render(target, request, 0, 1);
-    const auto other = renderer.pick(request, 320, 240);
+    const auto other = pickGlyph(request, 320, 240);
     ASSERT_TRUE(other);
-    EXPECT_EQ(std::get<model::PickedGlyph>(*other).position_mm, std::get<model::PickedGlyph>(*plain).position_mm);
-    EXPECT_EQ(std::get<model::PickedGlyph>(*other).amplitude, std::get<model::PickedGlyph>(*plain).amplitude);
+    EXPECT_EQ(other->position_mm, plain->position_mm);
+    EXPECT_EQ(other->amplitude, plain->amplitude);
     const model::Frame split = renderer.render(target, request, 1, 2);
     request.quality.samples = 3;
     EXPECT_EQ(split.pixels.rgba, renderer.renderAll(request).pixels.rgba);

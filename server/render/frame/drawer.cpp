@@ -54,6 +54,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runIsosurfaceTrace(pass_run, pass, surface_bands_);
         case plan::PassKind::kIsosurfaceVeil:
             return runIsosurfaceVeil(pass_run, pass, veil_bands_);
+        case plan::PassKind::kFiblets:
+            return runFiblets(pass_run, pass, fiblet_pace_);
         case plan::PassKind::kIllumination:
             return runIllumination(pass_run, pass);
         case plan::PassKind::kLight:

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "render/frame/colour_tables.h"
+#include "render/frame/fiblet_passes.h"
 #include "render/frame/pass_run.h"
 #include "render/frame/raster_passes.h"
 
@@ -45,6 +46,7 @@ private:
     BandSize surface_bands_, veil_bands_;
     BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
     DrawSize boxes_size_, mesh_size_;
+    FibletPace fiblet_pace_;
 };
 
 }  // namespace radiata::render

@@ -6,11 +6,30 @@
 #include "build/tile_lists.h"
 #include "gpu/device.h"
 #include "plan/plan_raster.h"
+#include "render/frame/fiblet_buffers.h"
 
 namespace radiata::render {
 namespace {
 
 constexpr std::size_t kTileEntriesMax = 24'000'000;
+constexpr float kUnselectedLight = 0.25F;
+
+/// Addresses of pixels are added when the layer is drawn.
+void fillFibreLook(ColourTables& colours, const DrawList& list, std::size_t index, shader::LayerLook& look) {
+    const model::FibreColour& colour = list.plan->resolved.scene.layers[index].tracts().colour;
+    const plan::FibletPlan& fiblets = *list.plan->fiblets[index];
+    look.instances = list.layers[index].tracts->headAddress();
+    look.states = list.layers[index].fibres->stateAddress();
+    look.values = list.layers[index].fibres->valueAddress();
+    look.colour = static_cast<std::uint32_t>(colour.mode);
+    look.uniform_colour = colour.uniform;
+    look.tubes = fiblets.selected_only ? 2 : fiblets.tubes ? 1 : 0;
+    look.unselected = fiblets.dimmed ? kUnselectedLight : 1;
+    if (!colour.usesMap()) return;
+    look.map = colours.address(colour.map);
+    look.range_low = colour.range->low;
+    look.range_high = colour.range->high;
+}
 
 shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::size_t layer) {
     const model::Layer& wanted = list.plan->resolved.scene.layers[layer];
@@ -21,6 +40,7 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
         look.colour = shader::COLOUR_UNIFORM;
         look.uniform_colour = surface->colour;
     }
+    if (list.layers[layer].tracts) fillFibreLook(colours, list, layer, look);
     if (!list.layers[layer].glyphs) return look;
     GlyphScene& scene = *list.layers[layer].glyphs;
     const model::GlyphColour& colour = wanted.glyphs().colour;
@@ -92,7 +112,13 @@ void fillFrameParameters(gpu::Device& device, ColourTables& colours, Target::Imp
     frame.ambient = request.scene.light.ambient;
     frame.background = request.scene.background;
     frame.layer_count = static_cast<std::uint32_t>(list.layers.size());
+    target.fiblets.resize(list.layers.size());
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) {
+            target.fiblets[i].reset();
+        } else if (!target.fiblets[i]) {
+            target.fiblets[i] = std::make_unique<FibletBuffers>();
+        }
         target.look(i) = layerLook(colours, list, i);
         if (!list.layers[i].glyphs) continue;
         GlyphScene& scene = *list.layers[i].glyphs;

@@ -20,8 +20,13 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
     const plan::VisibilityPlan& visibility = run.list.plan->visibility;
     const bool media = run.list.plan->usesUncertainty(), veil = run.list.plan->usesVeil();
     const bool global = run.list.plan->usesGlobalLight();
-    std::vector<std::uint32_t> constants{PassRun::kGroup, run.sample == 0 ? 1U : 0U,  run.list.plan->colour_modes,
-                                         media ? 1U : 0U, run.list.plan->layer_kinds, veil ? 1U : 0U,
+    std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                         run.sample == 0 ? 1U : 0U,
+                                         run.list.plan->colour_modes,
+                                         media ? 1U : 0U,
+                                         run.list.plan->layer_kinds,
+                                         run.list.plan->fibre_colours,
+                                         veil ? 1U : 0U,
                                          global ? 1U : 0U};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;

@@ -48,7 +48,15 @@ void writeHit(const model::Outputs& wanted, const DrawList& list, const shader::
     const std::uint32_t layer = surface.layer_and_steps >> 24U;
     const glm::dvec3 position = ray.origin + static_cast<double>(surface.depth) * ray.direction;
     if (wanted.depth) pixels.depth[at] = static_cast<float>(surface.depth / ray.stretch);
-    if (wanted.id) {
+    if (wanted.id && list.layers[layer].tracts) {
+        const model::FibletHead& head = list.layers[layer].tracts->set().heads[surface.who >> shader::FIBLET_SEGMENT_BITS];
+        const std::uint32_t segment = surface.who & ((1U << shader::FIBLET_SEGMENT_BITS) - 1);
+        pixels.id[4 * at] = static_cast<std::int32_t>(layer);
+        pixels.id[4 * at + 1] = static_cast<std::int32_t>(head.fibre);
+        pixels.id[4 * at + 2] = static_cast<std::int32_t>(shader::FIBLET_SEGMENTS * model::fibletIndex(head) + segment);
+        pixels.id[4 * at + 3] = 0;
+    }
+    if (wanted.id && !list.layers[layer].tracts) {
         const glm::ivec3 voxel = voxelOf(list, list.layers[layer], surface, position);
         pixels.id[4 * at] = static_cast<std::int32_t>(layer);
         for (int c = 0; c < 3; ++c) pixels.id[4 * at + 1 + c] = voxel[c];

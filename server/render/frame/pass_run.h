@@ -10,6 +10,8 @@
 #include "gpu/recorder.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
+#include "render/fiblet/fiblet_scene.h"
+#include "render/fiblet/fibre_look.h"
 #include "render/frame/pipelines.h"
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
@@ -24,6 +26,8 @@ namespace radiata::render {
 /// One layer as it stands on the device; of the scenes, that of the layer's kind is set.
 struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
+    std::shared_ptr<const FibletScene> tracts;
+    std::shared_ptr<const FibreLook> fibres;              ///< of tracts
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world

@@ -7,15 +7,18 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "math/sh_evaluate.h"
+#include "render/fiblet/fibre_measures.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
 
+constexpr std::uint32_t kNobody = 0xffffffffU;
+
 /// The surface's point in world space, in double, from the ray that the device used.
-glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface) {
+glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface, const glm::ivec2& away = glm::ivec2(0)) {
     const shader::CameraRays& rays = list.camera.rays;
-    const glm::dvec2 offset(list.pixel_offset);
+    const glm::dvec2 offset = glm::dvec2(list.pixel_offset) + glm::dvec2(away);
     const glm::dvec3 origin = offset.x * glm::dvec3(rays.step_right) - offset.y * glm::dvec3(rays.step_up);
     const glm::dvec3 direction = origin * static_cast<double>(rays.inverse_distance) + glm::dvec3(rays.forward);
     return list.camera.reference_mm + origin + static_cast<double>(surface.depth) * glm::normalize(direction);
@@ -61,9 +64,45 @@ model::PickedSurface describeSurface(const DrawList& list, const shader::Surface
     return picked;
 }
 
+/// \param away  pixels from the middle of the window
+model::PickedFibre describeFibre(const DrawList& list, const shader::Surface& surface, const glm::ivec2& away) {
+    const std::size_t layer = surface.layer_and_steps >> 24U;
+    const model::FibletSet& set = list.layers[layer].tracts->set();
+    const std::uint32_t fiblet = surface.who >> shader::FIBLET_SEGMENT_BITS;
+    const std::uint32_t segment = surface.who & ((1U << shader::FIBLET_SEGMENT_BITS) - 1);
+    const model::FibletHead& head = set.heads[fiblet];
+    model::PickedFibre fibre;
+    fibre.layer = static_cast<int>(layer);
+    fibre.dataset_id = list.plan->resolved.scene.layers[layer].datasetId();
+    fibre.fibre = head.fibre;
+    fibre.point = shader::FIBLET_SEGMENTS * model::fibletIndex(head) + segment;
+    const FibreSegmentPlace ends = segmentPlace(set, fiblet, segment);
+    const glm::dvec3 along = ends.to - ends.from;
+    // The point of the segment that is nearest to the pixel's ray where that meets it.
+    const glm::dvec3 seen = hitPosition(list, surface, away) - ends.from;
+    const double length2 = glm::dot(along, along);
+    fibre.position_mm = ends.from + (length2 > 0 ? std::clamp(glm::dot(seen, along) / length2, 0.0, 1.0) : 0.0) * along;
+    fibre.tangent = length2 > 0 ? glm::normalize(along) : along;
+    fibre.length_mm = fibreLength(set, head.fibre);
+    fibre.distance_px = glm::length(glm::dvec2(away));
+    for (const model::FibreGroup& group : set.groups) {
+        if (std::ranges::binary_search(group.fibres, head.fibre)) fibre.groups.push_back(group.name);
+    }
+    for (const model::FibreColumn& column : set.fibre_columns) {
+        const auto first = column.values.begin() + static_cast<std::ptrdiff_t>(std::size_t{head.fibre} * column.components);
+        fibre.values.push_back({column.name, {first, first + column.components}});
+    }
+    return fibre;
+}
+
 }  // namespace
 
-model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, const plan::Abilities& abilities) {
+model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
+                                const plan::Abilities& abilities) {
+    if (radius_px < 0 || radius_px > model::kPickRadiusMax) {
+        throw Error(Code::kInvalidArgument, "the radius of a pick is " + std::to_string(radius_px) +
+                                                " pixels; it must be 0 to " + std::to_string(model::kPickRadiusMax));
+    }
     if (x < 0 || y < 0 || x >= request.width || y >= request.height) {
         throw Error(Code::kInvalidArgument, "pixel " + std::to_string(x) + ", " + std::to_string(y) +
                                                 " lies outside the picture of " + std::to_string(request.width) + " x " +
@@ -80,22 +119,48 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     pixel.scene.light = {};
     for (model::Layer& layer : pixel.scene.layers) {
         if (layer.ifGlyphs()) layer.glyphs().colour = {};
+        if (layer.ifTracts()) layer.tracts().colour = {};
     }
+    // Of a window that small, the frustum leaves out nearly everything.
+    pixel.quality.fiblet_culling = model::FibletCulling::kFrustum;
     return pixel;
 }
 
-std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x,
-                                       int y) {
+std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
+                                       int radius_px) {
     const model::FrameRequest& picture = list.plan->resolved;
+    const bool fibres = std::ranges::any_of(list.layers, [](const DrawnLayer& layer) { return layer.tracts != nullptr; });
+    const int radius = fibres ? radius_px : 0, size = 2 * radius + 1;
     list.pixel_offset = {static_cast<float>(x + 0.5 - 0.5 * picture.width), static_cast<float>(y + 0.5 - 0.5 * picture.height)};
-    target.prepare(device, 1, 1, list.layers.size());
+    target.prepare(device, size, size, list.layers.size());
     drawer.drawSample(target, list, 0, nullptr);
     drawer.takeTimings();
-    shader::Surface surface{};
-    gpu::download(device, target.surface, 0, std::as_writable_bytes(std::span(&surface, 1)));
-    if (surface.who == 0xffffffffU) return std::nullopt;
-    if (list.layers[surface.layer_and_steps >> 24U].volume) return describeSurface(list, surface);
-    return describeGlyph(list, surface);
+    std::vector<shader::Surface> surfaces(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));
+    gpu::download(device, target.surface, 0, std::as_writable_bytes(std::span(surfaces)));
+    const auto layerOf = [&](const shader::Surface& surface) -> const DrawnLayer& {
+        return list.layers[surface.layer_and_steps >> 24U];
+    };
+    const auto at = [&](int dx, int dy) -> const shader::Surface& {
+        return surfaces[static_cast<std::size_t>((dy + radius) * size + dx + radius)];
+    };
+    const shader::Surface& middle = at(0, 0);
+    if (middle.who != kNobody && layerOf(middle).glyphs) return describeGlyph(list, middle);
+    if (middle.who != kNobody && layerOf(middle).volume) return describeSurface(list, middle);
+    glm::ivec2 best(0);
+    bool found = false;
+    const auto nearness = [&](const glm::ivec2& d) { return std::pair(d.x * d.x + d.y * d.y, at(d.x, d.y).depth); };
+    for (int dy = -radius; dy <= radius; ++dy) {
+        for (int dx = -radius; dx <= radius; ++dx) {
+            const shader::Surface& surface = at(dx, dy);
+            const bool inside = x + dx >= 0 && y + dy >= 0 && x + dx < picture.width && y + dy < picture.height;
+            if (!inside || surface.who == kNobody || !layerOf(surface).tracts || dx * dx + dy * dy > radius * radius) continue;
+            if (found && nearness({dx, dy}) >= nearness(best)) continue;
+            best = {dx, dy};
+            found = true;
+        }
+    }
+    if (!found) return std::nullopt;
+    return describeFibre(list, at(best.x, best.y), best);
 }
 
 }  // namespace radiata::render

@@ -1,4 +1,4 @@
-// One pixel of a picture, drawn alone: a picture of 1 x 1 pixels with the rays of the large one.
+// One pixel of a picture, and for fibres those around it, drawn alone: a small picture with the rays of the large one.
 #pragma once
 
 #include <optional>
@@ -11,10 +11,12 @@ namespace radiata::render {
 /// The request with what a pick needs and no more: one sample by the march, no light to speak of, a traversal that does not
 /// depend on the picture's size. \throws Error(kInvalidArgument) for a pixel outside, Error(kUnsupported) if there is no such
 /// traversal
-model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, const plan::Abilities& abilities);
+model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
+                                const plan::Abilities& abilities);
 
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
 /// pixel
-std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y);
+std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
+                                       int radius_px);
 
 }  // namespace radiata::render

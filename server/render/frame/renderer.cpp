@@ -11,6 +11,7 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fibre_scenes.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
@@ -26,6 +27,8 @@ constexpr std::size_t kScenesKept = 16;
 constexpr std::size_t kLatticesKept = 4;
 /// A picture at rest shows its global light in between, when it works on it for so long.
 constexpr std::chrono::milliseconds kSettleSlice{250};
+/// Points decoded on the device may be that much outside of boxes made on the CPU.
+constexpr double kDecodingMm = 1e-3;
 
 /// Towards the light in world space. Unless it stands in the world it hangs on the camera, so pictures of any view are lit
 /// alike.
@@ -80,11 +83,13 @@ struct Renderer::Impl {
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
     std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    FibreScenes tracts;
     Target own_target, pick_target;
 
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
+        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -113,6 +118,7 @@ struct Renderer::Impl {
 
     /// Of the dataset that a layer names, mm; all positions on the device are relative to that of the first layer.
     glm::dvec3 centreOf(const model::Layer& layer) {
+        if (layer.ifTracts()) return tracts.scene(device, store.fiblets(layer.datasetId()))->bounds().centre();
         if (layer.ifGlyphs()) return datasetCentre(store.glyphs(layer.datasetId())->image());
         return volumeBounds(*store.volume(layer.datasetId())).centre();
     }
@@ -129,6 +135,14 @@ struct Renderer::Impl {
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             result.volume = store.volume(surface->dataset_id);
             result.bounds = volumeBounds(*result.volume);
+        }
+        if (const model::TractogramLayer* fibres = layer.ifTracts()) {
+            result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
+            result.fibres = tracts.look(device, result.tracts, *fibres);
+            result.bounds = result.tracts->bounds();
+            const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
+            result.bounds.minimum -= grown;
+            result.bounds.maximum += grown;
         }
         return result;
     }
@@ -174,6 +188,14 @@ struct Renderer::Impl {
             facts.value_max = layer.volume->valueMax();
             facts.value_split = layer.volume->valueSplit();
             facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            return facts;
+        }
+        if (layer.tracts) {
+            plan::LayerFacts facts;
+            facts.fibres = layer.fibres->shown();
+            facts.fiblets = layer.tracts->fibletCount();
+            facts.value_min = static_cast<double>(layer.fibres->valueMin());
+            facts.value_max = static_cast<double>(layer.fibres->valueMax());
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -285,13 +307,13 @@ model::Frame Renderer::renderAll(const model::FrameRequest& request, const model
     return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
 }
 
-std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y) {
+std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y, int radius_px) {
     model::validate(request, impl_->limits);
-    model::FrameRequest pixel = pickRequest(request, x, y, impl_->abilities);
+    model::FrameRequest pixel = pickRequest(request, x, y, radius_px, impl_->abilities);
     model::FrameInfo info;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
-    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y);
+    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {
@@ -329,6 +351,10 @@ model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::Vo
     }
     if (impl_->store.info(dataset_id).kind == model::DatasetKind::kScalarVolume) {
         return plan::fitCamera(volumeBounds(*impl_->store.volume(dataset_id)), selection, convention, aspect);
+    }
+    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kTractogram) {
+        const model::DatasetInfo info = impl_->store.info(dataset_id);
+        return plan::fitCamera({info.bounds_min, info.bounds_max}, selection, convention, aspect);
     }
     const auto dataset = impl_->store.glyphs(dataset_id);
     const plan::SceneBounds bounds = selectionBounds(*dataset, selection);

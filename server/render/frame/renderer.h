@@ -59,9 +59,11 @@ public:
     /// What the ray through a pixel's centre hits first, by the march, without its peaks. Draws that one pixel, so its cost
     /// does not depend on the picture's size. Direction and amplitude are in double from a hit that is exact to float: position
     /// within 1e-5 of the distance across the scene.
-    /// \throws as render(); Error(kInvalidArgument) for a pixel outside the picture, Error(kUnsupported) on a device where
+    /// Of fibres, which are thin, the one shown nearest to the pixel within the radius, of equally near ones the one nearest to
+    /// the viewer; what else the pixel itself shows goes before fibres beside it. \throws as render(); Error(kInvalidArgument)
+    /// for a pixel outside the picture, Error(kUnsupported) on a device where
     ///         tile lists are the only traversal that works
-    std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y);
+    std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int radius_px = 0);
 
     /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
     /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another

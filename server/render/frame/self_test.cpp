@@ -106,8 +106,9 @@ bool pathWorks(gpu::Device& device, Drawer& drawer, const std::shared_ptr<const 
         all.ray_query = all.raster = true;
         const plan::FramePlan plan = plan::planFrame(request, {scene.facts(list.camera, kSize, kSize)}, all);
         list.plan = &plan;
-        list.layers.emplace_back().glyphs = &scene;
-        list.layers.back().bounds = scene.bounds();
+        DrawnLayer& layer = list.layers.emplace_back();
+        layer.glyphs = &scene;
+        layer.bounds = scene.bounds();
         Target target;
         target.impl_->prepare(device, kSize, kSize, 1);
         drawer.drawSample(*target.impl_, list, 0, nullptr);

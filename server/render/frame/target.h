@@ -31,6 +31,7 @@ struct UncertaintyBuffers {
     std::vector<LayerBuffers> layers;
 };
 struct RasterBuffers;
+struct FibletBuffers;
 
 struct Target::Impl {
     Impl();
@@ -53,7 +54,8 @@ struct Target::Impl {
     gpu::Buffer global_light;          ///< vec3[pixels], of the latest sample; only once a scene has global light
     std::uint64_t surface_number = 0;  ///< of the first sample in the surface buffer, unlike any other's
     bool settled = false;              ///< its global light is that of a picture at rest
-    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
+    std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
+    std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);

@@ -38,7 +38,8 @@ shader::CubicInput randomChord(std::mt19937& random, std::size_t kind) {
         const float noise = sign(random);
         x.corners[n] = kind == 0 ? noise : kind == 1 ? planar + 1e-3F * noise : 1000 + std::round(60 * noise);
     }
-    const std::uint32_t first = random() % 6, second = (first + 1 + random() % 5) % 6;
+    const auto first = static_cast<std::uint32_t>(random() % 6);
+    const std::uint32_t second = (first + 1 + static_cast<std::uint32_t>(random() % 5)) % 6;
     x.from = onFace(random, first);
     x.to = onFace(random, second);
     return x;
@@ -95,7 +96,7 @@ void compare(const shader::CubicInput& x, float root, ChordErrors& errors) {
 
 ChordErrors measureChords(gpu::Device& device, std::uint64_t count) {
     const shaders::Module& module = shaders::module("test_cubic");
-    const gpu::ComputePipeline pipeline(device, gpu::Shader{module.name, module.spirv}, {kGroup});
+    const gpu::ComputePipeline pipeline(device, gpu::Shader{module.name, module.spirv}, std::vector<std::uint32_t>{kGroup});
     ChordErrors all;
     double device_ms = 0;
     std::uint64_t done = 0;

@@ -1,0 +1,147 @@
+#include "common/fibre_options.h"
+
+#include <cmath>
+
+#include "common/client_error.h"
+#include "common/enum_words.h"
+
+namespace radiata::client {
+namespace {
+
+void setVector(v1::Vec3& vector, double x, double y, double z) {
+    vector.set_x(x);
+    vector.set_y(y);
+    vector.set_z(z);
+}
+
+void addCut(v1::TractogramLayer& layer, const double* point, const double* normal, double sign, double shift_mm) {
+    const double length = std::hypot(normal[0], normal[1], normal[2]);
+    const double along = length > 0 ? shift_mm / length : 0;
+    v1::FibreCut& cut = *layer.add_cuts();
+    setVector(*cut.mutable_point_mm(), point[0] + along * normal[0], point[1] + along * normal[1],
+              point[2] + along * normal[2]);
+    setVector(*cut.mutable_normal(), sign * normal[0], sign * normal[1], sign * normal[2]);
+}
+
+bool anyOption(const FibreOptions& options) {
+    return !options.colour.empty() || !options.column.empty() || !options.map.empty() || !options.range.empty() ||
+           !options.uniform.empty() || options.line_width || options.tube_radius_mm || !options.slab.empty() ||
+           !options.cuts.empty() || !options.groups.empty() || !options.fibres.empty() || !options.length.empty() ||
+           !options.select_groups.empty() || !options.select_fibres.empty() || options.hide_unselected;
+}
+
+template <typename Message>
+void setMap(Message& message, const FibreOptions& options) {
+    if (!options.map.empty()) message.set_map(enumWords<v1::ColourMap>(v1::ColourMap_descriptor(), "").at(options.map));
+    if (options.range.empty()) return;
+    message.mutable_range()->set_low(options.range[0]);
+    message.mutable_range()->set_high(options.range[1]);
+}
+
+void setColour(v1::FibreColour& colour, const FibreOptions& options) {
+    const bool column = options.colour == "column", mapped = column || options.colour == "length";
+    if (column == options.column.empty()) {
+        throw ClientError(ExitCode::kUsage, column ? "--fibre-colour column needs --fibre-column NAME"
+                                                   : "--fibre-column goes with --fibre-colour column only");
+    }
+    if (!mapped && !(options.map.empty() && options.range.empty())) {
+        throw ClientError(ExitCode::kUsage, "--fibre-map and --fibre-range go with --fibre-colour column or length only");
+    }
+    const bool uniform = options.colour == "uniform" || (options.colour.empty() && !options.uniform.empty());
+    if (!uniform && !options.uniform.empty()) {
+        throw ClientError(ExitCode::kUsage, "--fibre-uniform goes with --fibre-colour uniform only");
+    }
+    const std::vector<double> rgb = options.uniform.empty() ? std::vector<double>{0.5, 0.5, 0.5} : options.uniform;
+    if (uniform) setVector(*colour.mutable_uniform(), rgb[0], rgb[1], rgb[2]);
+    if (options.colour == "fibre") colour.mutable_fibre();
+    if (options.colour == "group") colour.mutable_group();
+    if (options.colour == "length") setMap(*colour.mutable_length(), options);
+    if (!column) return;
+    colour.mutable_column()->set_name(options.column);
+    setMap(*colour.mutable_column(), options);
+}
+
+void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
+    layer.set_dataset_id(options.dataset);
+    setColour(*layer.mutable_colour(), options);
+    if (options.line_width) layer.set_line_width_px(*options.line_width);
+    if (options.tube_radius_mm) layer.set_tube_radius_mm(*options.tube_radius_mm);
+    if (!options.slab.empty()) {
+        const double* slab = options.slab.data();
+        addCut(layer, slab, slab + 3, 1, 0.5 * slab[6]);
+        addCut(layer, slab, slab + 3, -1, -0.5 * slab[6]);
+    }
+    for (const std::vector<double>& cut : options.cuts) addCut(layer, cut.data(), cut.data() + 3, 1, 0);
+    for (const std::string& group : options.groups) layer.mutable_shown()->add_groups(group);
+    for (const std::uint32_t fibre : options.fibres) layer.mutable_shown()->add_fibres(fibre);
+    if (!options.length.empty()) {
+        layer.mutable_shown()->set_length_min_mm(options.length[0]);
+        layer.mutable_shown()->set_length_max_mm(options.length[1]);
+    }
+    for (const std::string& group : options.select_groups) layer.mutable_selected()->add_groups(group);
+    for (const std::uint32_t fibre : options.select_fibres) layer.mutable_selected()->add_fibres(fibre);
+    if (options.hide_unselected) layer.set_unselected(v1::UNSELECTED_FIBRES_HIDDEN);
+}
+
+}  // namespace
+
+void addFibres(v1::Scene& scene, const FibreOptions& options) {
+    if (!options.dataset.empty()) {
+        setFibres(*scene.add_layers()->mutable_tractogram(), options);
+    } else if (anyOption(options)) {
+        throw ClientError(ExitCode::kUsage, "options of fibres need --tracts ID, the tractogram that is shown");
+    }
+}
+
+void addFibreOptions(CLI::App& app, FibreOptions& options) {
+    app.add_option("--tracts", options.dataset, "Catalogue id of a tractogram to show, alone or with --dataset");
+    app.add_option("--fibre-colour", options.colour, "What colours fibres (default direction)")
+        ->check(CLI::IsMember({"direction", "uniform", "fibre", "group", "column", "length"}));
+    app.add_option("--fibre-column", options.column, "Column of --fibre-colour column");
+    app.add_option("--fibre-map", options.map, "Colour map of --fibre-colour column and length (default viridis)")
+        ->check(CLI::IsMember({"viridis", "inferno", "cividis", "black-red-yellow", "grey"}));
+    app.add_option("--fibre-range", options.range, "Ends of that map: values, or lengths in mm (default: those of all fibres)")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("LOW,HIGH");
+    app.add_option("--fibre-uniform", options.uniform, "One colour for all fibres, linear RGB 0 to 1")
+        ->delimiter(',')
+        ->expected(3)
+        ->type_name("R,G,B");
+    app.add_option("--line-width", options.line_width, "Pixels across a line, 1 to 31 (default 1)");
+    app.add_option("--tubes", options.tube_radius_mm,
+                   "Draw fibres as tubes of this radius, mm; with a selection only those that are selected");
+    app.add_option("--fibre-slab", options.slab, "Show what lies in a slab: point on its middle, normal (world), thickness, mm")
+        ->delimiter(',')
+        ->expected(7)
+        ->type_name("X,Y,Z,NX,NY,NZ,MM");
+    app.add_option("--cut", options.cuts, "Cut off what lies beyond a plane: point and normal, world; may be repeated")
+        ->delimiter(',')
+        ->expected(6)
+        ->take_all()
+        ->type_name("X,Y,Z,NX,NY,NZ");
+    app.add_option("--group", options.groups, "Show the fibres of these groups")->delimiter(',')->type_name("NAME,...");
+    app.add_option("--fibre", options.fibres, "Show the fibres of these numbers")->delimiter(',')->type_name("N,...");
+    app.add_option("--length", options.length, "Show fibres of these lengths, mm")
+        ->delimiter(',')
+        ->expected(2)
+        ->type_name("LOW,HIGH");
+    app.add_option("--select-group", options.select_groups, "Let the fibres of these groups stand out")
+        ->delimiter(',')
+        ->type_name("NAME,...");
+    app.add_option("--select-fibre", options.select_fibres, "Let these fibres stand out")->delimiter(',')->type_name("N,...");
+    app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
+    app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
+        ->check(CLI::IsMember({"atomic"}));
+    app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
+        ->check(CLI::IsMember({"two-phase", "frustum", "none"}));
+}
+
+void setFibreQuality(v1::Quality& quality, const FibreOptions& options) {
+    if (options.pipeline == "atomic") quality.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    if (options.culling == "two-phase") quality.set_fiblet_culling(v1::FIBLET_CULLING_TWO_PHASE);
+    if (options.culling == "frustum") quality.set_fiblet_culling(v1::FIBLET_CULLING_FRUSTUM);
+    if (options.culling == "none") quality.set_fiblet_culling(v1::FIBLET_CULLING_NONE);
+}
+
+}  // namespace radiata::client

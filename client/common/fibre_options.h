@@ -1,0 +1,38 @@
+// Options for layers of fibres.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "radiata/v1/quality.pb.h"
+#include "radiata/v1/scene.pb.h"
+
+namespace radiata::client {
+
+struct FibreOptions {
+    std::string dataset;  ///< empty: no layer of fibres
+    std::string colour;   ///< empty: by direction
+    std::string column;
+    std::string map;           ///< word of v1::ColourMap
+    std::vector<float> range;  ///< two numbers
+    std::vector<double> uniform;
+    std::optional<std::uint32_t> line_width;
+    std::optional<float> tube_radius_mm;
+    std::vector<double> slab;               ///< point and normal, world, and thickness, mm
+    std::vector<std::vector<double>> cuts;  ///< point and normal each
+    std::vector<std::string> groups, select_groups;
+    std::vector<std::uint32_t> fibres, select_fibres;
+    std::vector<float> length;  ///< mm: low, high
+    bool hide_unselected = false;
+    std::string pipeline, culling;
+};
+
+void addFibreOptions(CLI::App& app, FibreOptions& options);
+/// A layer of fibres if a tractogram is named. \throws ClientError(kUsage) for options that contradict each other
+void addFibres(v1::Scene& scene, const FibreOptions& options);
+void setFibreQuality(v1::Quality& quality, const FibreOptions& options);
+
+}  // namespace radiata::client

@@ -1,0 +1,76 @@
+// What is shown of a tractogram, and how. Mirrors proto/radiata/v1/tractogram.proto with every choice filled in.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "math/colour_map.h"
+
+namespace radiata::model {
+
+/// Numbers as in shaders/shared/layer_look.glsl.
+enum class FibreColourMode { kDirection, kUniform, kFibre, kGroup, kColumn, kLength };
+
+struct FibreColourRange {
+    float low = 0;
+    float high = 1;
+    bool operator==(const FibreColourRange&) const = default;
+};
+
+/// Where the base colour of a fibre comes from.
+struct FibreColour {
+    FibreColourMode mode = FibreColourMode::kDirection;
+    ColourMap map = ColourMap::kViridis;    ///< kColumn and kLength
+    std::optional<FibreColourRange> range;  ///< of the map: values of the column, or mm; none: those of the whole tractogram
+    std::string column;                     ///< kColumn: a column of values per fibre
+    glm::vec3 uniform{0.5F};                ///< kUniform: linear RGB
+    bool usesMap() const { return mode == FibreColourMode::kColumn || mode == FibreColourMode::kLength; }
+    bool operator==(const FibreColour&) const = default;
+};
+
+/// The half space {p : dot(p - point, normal) <= 0} is shown.
+struct FibreCut {
+    glm::dvec3 point_mm{0};      ///< world
+    glm::dvec3 normal{0, 0, 1};  ///< world axes; any length but zero
+    bool operator==(const FibreCut&) const = default;
+};
+
+/// A set of fibres: those that pass every condition.
+struct FibreSet {
+    std::vector<std::string> groups;  ///< in any of them; empty: no condition
+    std::optional<float> length_min_mm, length_max_mm;
+    std::vector<std::uint32_t> fibres;  ///< by number; empty: no condition
+    bool isAll() const { return *this == FibreSet{}; }
+    bool operator==(const FibreSet&) const = default;
+};
+
+/// What becomes of fibres that are not selected while some are.
+enum class UnselectedFibres { kDimmed, kHidden };
+
+/// Streamlines of a tractogram.
+struct TractogramLayer {
+    std::string dataset_id;
+    FibreColour colour;
+    int line_width_px = 1;
+    std::optional<float> tube_radius_mm;  ///< capsules; none: lines
+    std::vector<FibreCut> cuts;
+    FibreSet shown;                    ///< the others are left out
+    std::optional<FibreSet> selected;  ///< stand out of those shown: with tube_radius_mm, these alone are tubes
+    UnselectedFibres unselected = UnselectedFibres::kDimmed;
+    bool operator==(const TractogramLayer&) const = default;
+};
+
+/// How fiblets are drawn.
+enum class FibletPipeline { kAtomic };
+/// Which of them are.
+enum class FibletCulling { kTwoPhase, kFrustum, kNone };
+
+constexpr int kLineWidthMax = 31;
+constexpr std::size_t kFibreCutsMax = 6;
+constexpr float kTubeRadiusMaxMm = 100;
+
+}  // namespace radiata::model

@@ -1,0 +1,30 @@
+// How a layer of fibres is drawn.
+#pragma once
+
+#include <cstdint>
+
+#include "model/frame.h"
+
+namespace radiata::plan {
+
+struct FramePlan;
+struct LayerFacts;
+struct Abilities;
+
+struct FibletPlan {
+    model::FibletCulling culling = model::FibletCulling::kTwoPhase;
+    bool lines = true;           ///< some fibres are lines
+    bool tubes = false;          ///< some are tubes
+    bool selected_only = false;  ///< of the tubes: those of selected fibres
+    bool states = false;         ///< fibres are hidden or selected one by one
+    bool dimmed = false;         ///< those that are not selected
+    std::uint32_t cuts = 0;
+    int line_width_px = 1;
+    float tube_radius_mm = 0;
+};
+
+/// Adds a layer's pass and its entry in plan.fiblets, and fills in its open choices.
+/// \throws Error(kUnsupported) for a device without 64-bit atomics
+void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& abilities, FramePlan& plan);
+
+}  // namespace radiata::plan

@@ -1,0 +1,72 @@
+#include "render/frame/fiblet_buffers.h"
+
+#include <algorithm>
+
+#include "render/frame/target.h"
+
+namespace radiata::render {
+namespace {
+
+/// Levels of the pyramid up to the one of a single entry, and where each begins.
+std::vector<std::uint32_t> levelOffsets(glm::ivec2 size, std::uint32_t& words) {
+    std::vector<std::uint32_t> offsets;
+    words = 0;
+    while (size.x > 1 || size.y > 1) {
+        size = (size + 1) / 2;
+        offsets.push_back(words);
+        words += static_cast<std::uint32_t>(size.x * size.y);
+    }
+    return offsets;
+}
+
+}  // namespace
+
+void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled) {
+    static_assert(sizeof(shader::FibletLayerParams) <= kCountsOffset);
+    const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
+    const std::uint64_t fiblets = std::max<std::uint64_t>(scene.fibletCount(), 1);
+    ensureBytes(device, params, kCountsOffset + sizeof(shader::FibletCounts), gpu::Memory::kUpload, "fiblet parameters");
+    ensureBytes(device, words, 8 * pixels, gpu::Memory::kDevice, "fiblet words");
+    ensureBytes(device, tangents, 8 * pixels, gpu::Memory::kDevice, "fiblet tangents");
+    ensureBytes(device, list, 4 * std::max(culled ? fiblets : 0, pixels), gpu::Memory::kDevice, "fiblet list");
+    if (scene_serial != scene.serial()) knows_visible = false;
+    scene_serial = scene.serial();
+    if (!culled) return;
+    ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
+    ensureBytes(device, page_order, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kUpload,
+                "fiblet page order");
+    if (size != size_) {
+        std::uint32_t pyramid_words = 0;
+        level_offsets = levelOffsets(size, pyramid_words);
+        ensureBytes(device, pyramid, 4 * std::uint64_t{std::max(pyramid_words, 1U)}, gpu::Memory::kDevice, "depth pyramid");
+        size_ = size;
+    }
+}
+
+void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
+                         std::uint64_t states, std::uint32_t layer_index) {
+    shader::FibletLayerParams& layer = this->layer();
+    layer = {};
+    layer.view = view;
+    std::ranges::copy(cuts, layer.cuts);
+    layer.codec = scene.set().codec;
+    layer.heads = scene.headAddress();
+    layer.pages = scene.pageAddress();
+    layer.codes = scene.codeAddress();
+    layer.boxes = scene.boxAddress();
+    layer.states = states;
+    layer.words = words.address();
+    layer.tangents = tangents.address();
+    layer.list = list.address();
+    if (visible) layer.visible = visible.address();
+    if (page_order) layer.page_order = page_order.address();
+    if (pyramid) layer.pyramid = pyramid.address();
+    layer.counts = params.address() + kCountsOffset;
+    layer.fiblet_count = static_cast<std::uint32_t>(scene.fibletCount());
+    layer.page_count = static_cast<std::uint32_t>(scene.pages().size());
+    layer.layer = layer_index;
+    layer.pyramid_levels = static_cast<std::uint32_t>(level_offsets.size());
+    counts() = {};
+}
+
+}  // namespace radiata::render

@@ -1,0 +1,240 @@
+#include "render/frame/fiblet_passes.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <chrono>
+#include <cmath>
+
+#include "plan/fiblet_view.h"
+#include "render/frame/fiblet_buffers.h"
+
+namespace radiata::render {
+namespace {
+
+/// Shares of the pages, nearest first, after which the second phase looks at the depths anew: without knowledge of the latest
+/// picture what is in front must be drawn before it can hide anything.
+constexpr std::array<double, 5> kColdParts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
+constexpr std::array<double, 1> kWarmParts{1.0};
+/// Workgroups of one dispatch; every device takes 65,535.
+constexpr std::uint32_t kPagesAtOnce = 16'384;
+
+struct LayerPush {
+    std::uint64_t layer, surface;
+};
+struct CullPush {
+    std::uint64_t layer;
+    std::uint32_t first_page, page_count;
+};
+struct RasterPush {
+    std::uint64_t layer;
+    std::uint32_t first, count;
+};
+struct PyramidPush {
+    std::uint64_t layer;
+    std::uint32_t source, target;
+    glm::ivec2 source_size;
+};
+struct SurfacePush {
+    std::uint64_t layer, surface, counters;
+};
+
+/// One layer's passes while they run.
+class FibletRun {
+public:
+    FibletRun(PassRun& run, const plan::PassPlan& pass, FibletPace& pace)
+        : run_(run),
+          pace_(pace),
+          index_(static_cast<std::size_t>(pass.layer)),
+          plan_(*run.list.plan->fiblets[index_]),
+          scene_(*run.list.layers[index_].tracts),
+          own_(*run.target.fiblets[index_]),
+          first_(pass.first),
+          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
+
+    void draw() {
+        prepare();
+        begin();
+        if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
+            if (plan_.culling == model::FibletCulling::kNone) {
+                raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
+                own_.drawn = scene_.fibletCount();
+            } else {
+                drawCulled();
+            }
+        }
+        surface();
+    }
+
+private:
+    bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
+
+    void prepare() {
+        const Target::Impl& target = run_.target;
+        const model::FrameRequest& whole = run_.list.plan->resolved;
+        const glm::ivec2 picture(whole.width, whole.height), window(target.width, target.height);
+        const glm::vec2 offset = run_.list.pixel_offset;
+        // A pick draws a window of the picture; its place is a whole number of pixels.
+        const glm::ivec2 first(std::lround(offset.x + 0.5F * static_cast<float>(picture.x - window.x)),
+                               std::lround(offset.y + 0.5F * static_cast<float>(picture.y - window.y)));
+        const glm::dvec3 origin = scene_.set().origin_mm;
+        shader::FibletView view =
+            plan::fibletView(target.frame().rays, picture, {first, window}, target.frame().jitter - offset,
+                             run_.list.camera.reference_mm - origin, scene_.reachMm());
+        view.line_width = static_cast<float>(plan_.line_width_px);
+        view.tube_radius = plan_.tube_radius_mm;
+        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone);
+        std::vector<shader::FibletCut> cuts;
+        for (const model::FibreCut& cut : whole.scene.layers[index_].tracts().cuts) {
+            const glm::dvec3 normal = glm::normalize(cut.normal);
+            cuts.push_back({glm::vec3(normal), static_cast<float>(glm::dot(normal, cut.point_mm - origin))});
+        }
+        own_.fill(scene_, view, cuts, run_.list.layers[index_].fibres->stateAddress(), static_cast<std::uint32_t>(index_));
+        own_.drawn = 0;
+        run_.target.look(index_).tangents = own_.tangents.address();
+    }
+
+    void begin() {
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first_ ? 1U : 0U}),
+                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                               LayerPush{own_.layerAddress(), run_.target.surface.address()});
+    }
+
+    /// Submits, and learns from the time how many fiblets the next submission may have.
+    void submit(std::uint32_t fiblets) {
+        const auto start = std::chrono::steady_clock::now();
+        run_.recorder.submitAndWait();
+        const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+        if (fiblets == 0) return;
+        pace_.fiblets =
+            std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
+    }
+
+    void raster(bool listed, std::uint32_t first, std::uint32_t end) {
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                                                 plan_.lines ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U});
+        while (first < end) {
+            run_.checkCancelled();
+            const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
+            const std::uint32_t count = std::min(end - first, wanted / PassRun::kGroup * PassRun::kGroup);
+            run_.recorder.dispatch(pipeline, "fiblet raster" + suffix_, PassRun::groups(count), 1, 1,
+                                   RasterPush{own_.layerAddress(), first, count});
+            submit(count);
+            first += count;
+        }
+    }
+
+    void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
+        // A line of w pixels reaches (w - 1) / 2 beside its middle.
+        const auto margin = std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1));
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U});
+        for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
+            const std::uint32_t count = std::min(end - first, kPagesAtOnce);
+            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
+        }
+        submit(0);
+    }
+
+    void pyramid() {
+        glm::ivec2 size(run_.target.width, run_.target.height);
+        for (std::size_t level = 0; level < own_.level_offsets.size(); ++level) {
+            const std::uint32_t source = level == 0 ? 0 : own_.level_offsets[level - 1];
+            const glm::ivec2 half = (size + 1) / 2;
+            run_.recorder.dispatch(run_.pipelines.get("fiblet_pyramid", {PassRun::kGroup, level == 0 ? 1U : 0U}),
+                                   "fiblet pyramid" + suffix_,
+                                   PassRun::groups(static_cast<std::uint64_t>(half.x) * static_cast<std::uint64_t>(half.y)), 1,
+                                   1, PyramidPush{own_.layerAddress(), source, own_.level_offsets[level], size});
+            size = half;
+        }
+    }
+
+    /// Pages nearest first, for the second phase.
+    void orderPages() {
+        const std::vector<shader::FibletPage>& boxes = scene_.pages();
+        const glm::vec3 forward = run_.list.camera.rays.forward;
+        std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
+        for (std::size_t i = 0; i < boxes.size(); ++i) {
+            const glm::vec3 middle = 0.5F * (boxes[i].low + boxes[i].high), reach = boxes[i].high - middle;
+            order[i] = {glm::dot(forward, middle) - glm::dot(glm::abs(forward), reach), static_cast<std::uint32_t>(i)};
+        }
+        std::ranges::sort(order);
+        std::span<std::uint32_t> to = own_.page_order.as<std::uint32_t>();
+        for (std::size_t i = 0; i < order.size(); ++i) to[i] = order[i].second;
+    }
+
+    void drawCulled() {
+        const auto pages = static_cast<std::uint32_t>(scene_.pages().size());
+        orderPages();
+        std::uint32_t drawn = 0;
+        const auto drawListed = [&] {
+            const std::uint32_t listed = own_.counts().listed;
+            raster(true, drawn, listed);
+            drawn = listed;
+        };
+        if (!twoPhases()) {
+            cull(0, 0, pages);
+            drawListed();
+        } else {
+            const bool warm = own_.knows_visible;
+            if (warm) {
+                cull(1, 0, pages);
+                drawListed();
+            } else {
+                run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
+            }
+            std::uint32_t first = 0;
+            const std::span<const double> parts =
+                warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
+            for (const double part : parts) {
+                const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+                run_.checkCancelled();
+                pyramid();
+                cull(2, first, end);
+                drawListed();
+                first = end;
+            }
+        }
+        own_.drawn = drawn;
+    }
+
+    void surface() {
+        const bool marks = twoPhases();
+        if (marks) run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
+        resolve(marks, false);
+        submit(0);
+        // Tangents that a loser of the race overwrote; a second drawing finds the final words.
+        while (own_.counts().repaired > 0) {
+            const std::uint32_t repaired = own_.counts().repaired;
+            own_.counts().repaired = 0;
+            raster(true, 0, repaired);
+            resolve(false, true);
+            submit(0);
+        }
+        own_.knows_visible = marks;
+    }
+
+    void resolve(bool marks, bool again) {
+        run_.recorder.dispatch(
+            run_.pipelines.get("fiblet_surface", {PassRun::kGroup, first_ ? 1U : 0U, marks ? 1U : 0U, again ? 0U : 1U,
+                                                  plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U}),
+            "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+            SurfacePush{own_.layerAddress(), run_.target.surface.address(), run_.counterAddress()});
+    }
+
+    PassRun& run_;
+    FibletPace& pace_;
+    std::size_t index_;
+    const plan::FibletPlan& plan_;
+    const FibletScene& scene_;
+    FibletBuffers& own_;
+    bool first_;  ///< nothing is in the surface buffer yet
+    std::string suffix_;
+};
+
+}  // namespace
+
+void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).draw(); }
+
+}  // namespace radiata::render

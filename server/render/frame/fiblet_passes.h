@@ -1,0 +1,18 @@
+// Runs the passes of a layer of fiblets: words begin as what earlier layers show, fiblets are culled and drawn into them, and
+// what they won goes to the surface buffer.
+#pragma once
+
+#include "render/frame/pass_run.h"
+
+namespace radiata::render {
+
+/// Fiblets per submission, adapted to the last measured speed.
+struct FibletPace {
+    static constexpr double kSubmissionMs = 30;
+    double fiblets = 4096;
+};
+
+/// All passes of the layer, in bounded submissions.
+void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
+
+}  // namespace radiata::render

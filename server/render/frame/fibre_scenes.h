@@ -1,0 +1,31 @@
+// Tractograms on the device and what layers make of their fibres, kept while they are in use and a little longer.
+#pragma once
+
+#include <list>
+#include <memory>
+
+#include "render/fiblet/fiblet_scene.h"
+#include "render/fiblet/fibre_look.h"
+
+namespace radiata::render {
+
+class FibreScenes {
+public:
+    /// \throws as FibletScene()
+    std::shared_ptr<const FibletScene> scene(gpu::Device& device, const std::shared_ptr<const model::FibletSet>& set);
+    /// \throws as FibreLook()
+    std::shared_ptr<const FibreLook> look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene,
+                                          const model::TractogramLayer& layer);
+
+private:
+    static constexpr std::size_t kScenesKept = 8, kLooksKept = 16;
+    struct KeptLook {
+        std::uint64_t scene_serial;
+        model::TractogramLayer layer;  ///< what of it does not change the look is left at its default
+        std::shared_ptr<const FibreLook> look;
+    };
+    std::list<std::shared_ptr<const FibletScene>> scenes_;  ///< most recently used first
+    std::list<KeptLook> looks_;
+};
+
+}  // namespace radiata::render

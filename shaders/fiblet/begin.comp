@@ -1,0 +1,23 @@
+// Words of pixels before a layer's fiblets are drawn: the depth of what earlier layers show there, or infinity, and nobody.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/fiblet/layer.glsl"
+#include "shaders/shared/frame.glsl"
+#include "shaders/fiblet/pixel_stretch.glsl"
+
+layout(constant_id = 1) const bool kFirstLayer = true;
+
+layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
+layout(push_constant, scalar) uniform Push {
+    LayerBuffer layer;
+    SurfaceBuffer surface;
+} push;
+
+void main() {
+    const FibletLayerParams layer = push.layer.layer;
+    const uint at = gl_GlobalInvocationID.x;
+    if (at >= uint(layer.view.width * layer.view.height)) return;
+    float depth = uintBitsToFloat(0x7f800000u);
+    if (!kFirstLayer) depth = push.surface.at[at].depth / pixelStretch(layer.view, at);
+    WordBuffer(layer.words).at[at] = uint64_t(orderOfDepth(depth)) << 32 | FIBLET_NOBODY;
+}

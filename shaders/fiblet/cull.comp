@@ -1,0 +1,65 @@
+// Lists the fiblets of some pages that can be seen: one workgroup per page, one invocation per fiblet. A first phase takes those
+// that won a pixel of the latest picture; a second, after these were drawn, takes of the others what the depths do not hide. Boxes
+// hold all that is drawn, and only what lies strictly behind every pixel it can touch is left out, so the picture is the same
+// as without culling, after any camera.
+// Source: two phases as in Haar and Aaltonen 2015, with winners of pixels in place of what passed the last test.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/fiblet/layer.glsl"
+#include "shaders/fiblet/boxes.glsl"
+
+layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: those seen last; 2: the others, if not hidden
+layout(constant_id = 2) const float kMargin = 0.0;  // pixels beside a line
+layout(constant_id = 3) const bool kTubes = false;
+
+layout(push_constant, scalar) uniform Push {
+    LayerBuffer layer;
+    uint first_page;  // in page_order
+    uint page_count;
+} push;
+
+bool hidden(FibletLayerParams layer, FibletFootprint footprint) {
+    const uint nearest = orderOfDepth(footprint.nearest);
+    const ivec2 extent = footprint.pixels.zw - footprint.pixels.xy;
+    // The finest level on which at most five by five entries stand above the footprint.
+    const int level = min(max(findMSB(max(extent.x, extent.y)) - 1, 0), int(layer.pyramid_levels));
+    ivec2 size = ivec2(layer.view.width, layer.view.height);
+    uint offset = 0u;
+    for (int i = 1; i <= level; ++i) {
+        if (i > 1) offset += uint(size.x * size.y);
+        size = (size + 1) / 2;
+    }
+    const ivec4 entries = footprint.pixels >> level;
+    for (int y = entries.y; y <= entries.w; ++y) {
+        for (int x = entries.x; x <= entries.z; ++x) {
+            const uint at = uint(y * size.x + x);
+            const uint farthest = level == 0 ? uint(WordBuffer(layer.words).at[at] >> 32) : UintBuffer(layer.pyramid).at[offset + at];
+            if (nearest <= farthest) return false;
+        }
+    }
+    return true;
+}
+
+bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
+    const FibletFootprint footprint = fibletFootprint(layer.view, low, high, kMargin, kTubes ? layer.view.tube_radius : 0.0);
+    return footprint.seen && !(kPhase == 2u && hidden(layer, footprint));
+}
+
+void main() {
+    if (gl_WorkGroupID.x >= push.page_count) return;
+    const FibletLayerParams layer = push.layer.layer;
+    const uint page = UintBuffer(layer.page_order).at[push.first_page + gl_WorkGroupID.x];
+    const FibletPage box = PageBuffer(layer.pages).at[page];
+    if (!visible(layer, box.low, box.high)) return;
+    CountsBuffer counts = CountsBuffer(layer.counts);
+    if (gl_LocalInvocationIndex == 0u) atomicAdd(counts.counts.pages, 1u);
+    if (gl_LocalInvocationIndex >= box.count) return;
+    const uint fiblet = page * FIBLET_PAGE + gl_LocalInvocationIndex;
+    if (kPhase != 0u) {
+        const bool seen_last = (UintBuffer(layer.visible).at[fiblet >> 5u] >> (fiblet & 31u) & 1u) != 0u;
+        if (seen_last != (kPhase == 1u)) return;
+    }
+    vec3 low, high;
+    fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
+    if (visible(layer, low, high)) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
+}

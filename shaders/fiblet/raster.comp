@@ -1,0 +1,148 @@
+// Draws fiblets into words of 64 bits a pixel, the order of depths above who is seen: one invocation per fiblet walks along its
+// points and rasterises segment by segment, and an atomic minimum keeps the nearest, of equal depths the lower fiblet and
+// segment. So the picture does not depend on what ran in parallel.
+// A segment is drawn in the pixels whose centres it passes along its longer axis, ends half open, so that the segments of a
+// fibre meet without gap or overlap along that axis. Tubes are capsules whose pixels are cast one by one.
+// Source of the key: Schuetz et al. 2021 (compute rasterisation of points); of lines: DDA with the centre rule of Bresenham.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/fiblet/layer.glsl"
+#include "shaders/fiblet/walk.glsl"
+#include "shaders/common/fibre_directions.glsl"
+#include "shaders/common/capsule.glsl"
+
+layout(constant_id = 1) const bool kListed = false;  // fiblets of the list; else all in their order
+layout(constant_id = 2) const uint kCuts = 0u;
+layout(constant_id = 3) const bool kTubes = false;   // selected fibres as capsules
+layout(constant_id = 4) const bool kLines = true;    // the others as lines
+layout(constant_id = 5) const bool kSelection = false;  // fibres have states
+layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
+
+layout(push_constant, scalar) uniform Push {
+    LayerBuffer layer;
+    uint first;  // of the list, or of all fiblets
+    uint count;
+} push;
+
+FibletView view;
+WordBuffer words, tangents;
+
+// Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
+// again that do not name the winner; a second drawing finds the final words, so only winners write.
+void mark(uint pixel, float depth, uint who, uint direction) {
+    const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
+    if (words.at[pixel] < word) return;
+    if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
+}
+
+
+// \param a, b  eye points of the ends, clipped to the near plane
+void drawLine(vec4 a, vec4 b, uint who, uint direction) {
+    const vec2 pixel_a = fibletPixel(view, a), pixel_b = fibletPixel(view, b);
+    const vec2 along = pixel_b - pixel_a;
+    const bool columns = abs(along.x) >= abs(along.y);
+    const vec2 from = columns ? pixel_a : pixel_a.yx, to = columns ? pixel_b : pixel_b.yx;
+    const ivec2 size = columns ? ivec2(view.width, view.height) : ivec2(view.height, view.width);
+    const ivec2 origin = columns ? ivec2(view.window_x, view.window_y) : ivec2(view.window_y, view.window_x);
+    // Bounded before the conversion to integers: ends may be far outside.
+    const float low = clamp(min(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
+    const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
+    const int begin = max(int(ceil(low - 0.5)), origin.x), end = min(int(ceil(high - 0.5)), origin.x + size.x);
+    const int width = int(view.line_width);
+    for (int i = begin; i < end; ++i) {
+        const float share = clamp((float(i) + 0.5 - from.x) / (to.x - from.x), 0.0, 1.0);
+        const float across = from.y + share * (to.y - from.y);
+        // Depth is linear in space, not in the picture.
+        const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
+        const float depth = a.z + s * (b.z - a.z);
+        if (depth > view.far_depth || !(abs(across) < 1e6)) continue;
+        const int first = int(floor(across - 0.5 * float(width - 1))) - origin.y;
+        for (int j = max(first, 0); j < min(first + width, size.y); ++j) {
+            const ivec2 at = columns ? ivec2(i - origin.x, j) : ivec2(j, i - origin.x);
+            mark(uint(at.y * view.width + at.x), depth, who, direction);
+        }
+    }
+}
+
+// \param p, along  from the fiblets' origin: an end, and the way to the other
+void drawTube(vec3 p, vec3 along, uint who) {
+    const FibletFootprint footprint = fibletFootprint(view, min(p, p + along), max(p, p + along), 0.0, view.tube_radius);
+    if (!footprint.seen) return;
+    const vec3 from = (p - view.reference_high) - view.reference_low;
+    const vec3 right = view.right / dot(view.right, view.right), up = view.up / dot(view.up, view.up);
+    for (int y = footprint.pixels.y; y <= footprint.pixels.w; ++y) {
+        for (int x = footprint.pixels.x; x <= footprint.pixels.z; ++x) {
+            const vec2 place = vec2(float(x + view.window_x) + 0.5 - view.centre.x, view.centre.y - float(y + view.window_y) - 0.5);
+            const vec3 origin = place.x * right + place.y * up;
+            const vec3 direction = origin * view.inverse_distance + view.forward;  // its parameter is the depth
+            vec3 normal;
+            const float depth = capsuleHit(origin, direction, from, along, view.tube_radius, view.near_depth, normal);
+            if (depth <= view.far_depth) mark(uint(y * view.width + x), depth, who, packTube(along, normal));
+        }
+    }
+}
+
+// Cuts the segment to depths from the near plane on. \return  false: nothing is left
+bool clipToNear(inout vec4 a, inout vec4 b) {
+    if (min(a.z, b.z) >= view.near_depth) return true;
+    if (!(max(a.z, b.z) >= view.near_depth)) return false;
+    const vec4 crossing = mix(a, b, (view.near_depth - a.z) / (b.z - a.z));
+    if (a.z < view.near_depth) a = crossing;
+    else b = crossing;
+    return true;
+}
+
+// Cuts the segment to the layer's half spaces. \return  false: nothing is left
+bool cutSegment(FibletLayerParams layer, inout vec3 a, inout vec3 b) {
+    for (uint i = 0u; i < kCuts; ++i) {
+        const float out_a = dot(layer.cuts[i].normal, a) - layer.cuts[i].offset;
+        const float out_b = dot(layer.cuts[i].normal, b) - layer.cuts[i].offset;
+        if (out_a > 0.0 && out_b > 0.0) return false;
+        if (out_a > 0.0 || out_b > 0.0) {
+            const vec3 crossing = mix(a, b, out_a / (out_a - out_b));
+            if (out_a > 0.0) a = crossing;
+            else b = crossing;
+        }
+    }
+    return true;
+}
+
+void main() {
+    if (gl_GlobalInvocationID.x >= push.count) return;
+    const FibletLayerParams layer = push.layer.layer;
+    const uint at = push.first + gl_GlobalInvocationID.x;
+    const uint fiblet = kListed ? UintBuffer(layer.list).at[at] : at;
+    view = layer.view;
+    words = WordBuffer(layer.words);
+    tangents = WordBuffer(layer.tangents);
+    FibletWalk walk = beginWalk(layer, fiblet);
+    bool tube = kTubes, line = kLines;
+    if (kSelection) {
+        const uint state = fibreState(layer, walk.fibre);
+        if (state == FIBRE_HIDDEN) return;
+        if (kTubes && kSelectedOnly) {
+            tube = state == FIBRE_SELECTED;
+            line = kLines && !tube;
+        }
+    }
+    vec3 here = walk.pen.point;
+    vec4 eye_here = fibletEyePoint(view, here);
+    for (uint segment = 0u; segment < walk.segments; ++segment) {
+        stepWalk(layer, walk, segment);
+        const vec3 next = walk.pen.point;
+        const vec4 eye_next = fibletEyePoint(view, next);
+        const uint who = fiblet << FIBLET_SEGMENT_BITS | segment;
+        vec3 a = here, b = next;
+        if (kCuts == 0u || cutSegment(layer, a, b)) {
+            if (kTubes && tube) drawTube(a, b - a, who);
+            if (kLines && line) {
+                vec4 eye_a = kCuts == 0u ? eye_here : fibletEyePoint(view, a);
+                vec4 eye_b = kCuts == 0u ? eye_next : fibletEyePoint(view, b);
+                const vec3 way = next - here;
+                if (clipToNear(eye_a, eye_b)) drawLine(eye_a, eye_b, who, packLine(way));
+            }
+        }
+        here = next;
+        eye_here = eye_next;
+    }
+}

@@ -1,0 +1,65 @@
+// What fiblets won, into the surface buffer: one invocation per pixel. Marks the fiblets that are seen, for the next picture's
+// first phase, and lists those whose tangents others have overwritten, to be drawn once more (see raster.comp).
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
+#include "shaders/fiblet/layer.glsl"
+#include "shaders/shared/frame.glsl"
+#include "shaders/fiblet/pixel_stretch.glsl"
+#include "shaders/common/fibre_directions.glsl"
+
+layout(constant_id = 1) const bool kFirstLayer = true;
+layout(constant_id = 2) const bool kMarks = false;
+layout(constant_id = 3) const bool kCounts = true;  // false: pixels are resolved once more
+layout(constant_id = 4) const bool kTubes = false;
+layout(constant_id = 5) const bool kSelectedOnly = false;  // of the tubes
+
+layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
+layout(buffer_reference, scalar) buffer FrameCountersBuffer { uint hit_pixels; };
+layout(push_constant, scalar) uniform Push {
+    LayerBuffer layer;
+    SurfaceBuffer surface;
+    FrameCountersBuffer counters;
+} push;
+
+// \return  whether the pixel showed nothing before and now shows this layer
+bool resolve(FibletLayerParams layer, uint at) {
+    const uint64_t word = WordBuffer(layer.words).at[at];
+    const uint who = uint(word);
+    if (who == FIBLET_NOBODY) {
+        if (kFirstLayer) {
+            push.surface.at[at].depth = uintBitsToFloat(0x7f800000u);
+            push.surface.at[at].who = FIBLET_NOBODY;
+            push.surface.at[at].layer_and_steps = 0u;
+        }
+        return false;
+    }
+    const uint fiblet = who >> FIBLET_SEGMENT_BITS;
+    if (kMarks) {
+        const uint bit = 1u << (fiblet & 31u);
+        if ((UintBuffer(layer.visible).at[fiblet >> 5u] & bit) == 0u) atomicOr(UintBuffer(layer.visible).at[fiblet >> 5u], bit);
+    }
+    const bool empty_before = kFirstLayer || push.surface.at[at].who == FIBLET_NOBODY;
+    const uint64_t tangent = WordBuffer(layer.tangents).at[at];
+    if (uint(tangent) != who) {
+        UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.repaired, 1u)] = fiblet;
+        return empty_before;
+    }
+    const uint steps = kFirstLayer ? 0u : push.surface.at[at].layer_and_steps & 0xffffffu;
+    const float depth = depthOfOrder(uint(word >> 32)) * pixelStretch(layer.view, at);
+    const uint bits = uint(tangent >> 32);
+    bool tube = kTubes;
+    if (kTubes && kSelectedOnly) tube = fibreState(layer, HeadBuffer(layer.heads).at[fiblet].fibre) == FIBRE_SELECTED;
+    const vec3 direction = tube ? tubeNormal(bits) : lineTangent(bits);
+    push.surface.at[at] = Surface(depth, who, direction, layer.layer << 24u | steps);
+    return empty_before;
+}
+
+void main() {
+    const FibletLayerParams layer = push.layer.layer;
+    const uint at = gl_GlobalInvocationID.x;
+    const bool inside = at < uint(layer.view.width * layer.view.height);
+    const bool hit = inside && resolve(layer, at);
+    const uint hits = subgroupBallotBitCount(subgroupBallot(hit && kCounts));
+    if (subgroupElect() && hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
+}

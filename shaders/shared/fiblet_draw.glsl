@@ -1,0 +1,90 @@
+// What drawing a layer of fiblets reads beside the fiblets themselves (shaders/shared/fiblet.glsl): the camera as a projection,
+// pictures of depth and fibre, visibility, cuts.
+#ifndef RADIATA_SHARED_FIBLET_DRAW
+#define RADIATA_SHARED_FIBLET_DRAW
+#include "shaders/shared/interop.glsl"
+#include "shaders/shared/fiblet.glsl"
+SHADER_NAMESPACE_BEGIN
+
+// Who is seen in a pixel: fiblet << FIBLET_SEGMENT_BITS | segment, segment i between the fiblet's points i and i + 1.
+#ifdef __cplusplus
+constexpr uint FIBLET_SEGMENT_BITS = 6;
+constexpr uint FIBLET_NOBODY = 0xffffffffU;
+constexpr uint FIBLET_CUTS_MAX = 6;
+constexpr uint FIBRE_SHOWN = 0;
+constexpr uint FIBRE_HIDDEN = 1;
+constexpr uint FIBRE_SELECTED = 2;
+#else
+#define FIBLET_SEGMENT_BITS 6u
+#define FIBLET_NOBODY 0xffffffffu
+#define FIBLET_CUTS_MAX 6u
+#define FIBRE_SHOWN 0u
+#define FIBRE_HIDDEN 1u
+#define FIBRE_SELECTED 2u
+#endif
+
+// One sample's rays as a projection of points q relative to the reference point. With the nearness w = 1 + d * inverse_distance,
+// d = dot(forward, q), q stands at column dot(right, q) / w + centre.x and row centre.y - dot(up, q) / w of the whole picture,
+// in which pixel i reaches from i to i + 1 and is seen through i + 1/2.
+struct FibletView {
+    vec3 right;  // pixels per mm on the reference plane
+    float inverse_distance;
+    vec3 up;
+    float near_depth;  // least d that is seen; 1e-5 of the distance before the eye at least
+    vec3 forward;
+    float far_depth;
+    vec3 reference_high;  // reference point minus the fiblets' origin, as a sum of two floats
+    float line_width;     // pixels, whole
+    vec3 reference_low;
+    float tube_radius;  // mm
+    vec2 centre;
+    int window_x;  // first pixel of the window of the whole picture that is drawn
+    int window_y;
+    int width;  // of the window
+    int height;
+    float rounding;  // mm that float positions and depths may be off
+    uint pad;
+};
+STATIC_SIZE(FibletView, 112);
+
+// Segments are seen where dot(normal, p) <= offset, p from the fiblets' origin, mm.
+struct FibletCut {
+    vec3 normal;
+    float offset;
+};
+STATIC_SIZE(FibletCut, 16);
+
+struct FibletLayerParams {
+    FibletView view;
+    FibletCut cuts[6];
+    FibletCodec codec;
+    uint64_t heads;       // FibletHead[fiblets]
+    uint64_t pages;       // FibletPage[pages]
+    uint64_t codes;       // uint[]
+    uint64_t boxes;       // FibletBox[fiblets]
+    uint64_t states;      // FIBRE_SHOWN, ... of each fibre, four bytes to a word; 0: all are shown
+    uint64_t words;       // uint64_t[pixels]: order of depths << 32 | who
+    uint64_t tangents;    // uint64_t[pixels]: direction << 32 | who
+    uint64_t visible;     // one bit per fiblet: won a pixel of the latest picture
+    uint64_t list;        // uint[fiblets]: those to draw, in order of finding
+    uint64_t page_order;  // uint[pages]
+    uint64_t pyramid;     // uint[]: farthest order of depths of 2x2, 4x4, ... pixels, level after level
+    uint64_t counts;      // FibletCounts
+    uint fiblet_count;
+    uint page_count;
+    uint layer;
+    uint pyramid_levels;
+};
+STATIC_SIZE(FibletLayerParams, 392);
+
+// Written by the device.
+struct FibletCounts {
+    uint listed;    // fiblets in the list
+    uint pages;     // that were looked into
+    uint repaired;  // pixels whose tangent another fiblet had overwritten
+    uint pad;
+};
+STATIC_SIZE(FibletCounts, 16);
+
+SHADER_NAMESPACE_END
+#endif
