@@ -2,180 +2,191 @@
 
 #include <algorithm>
 #include <cmath>
-#include <mutex>
-#include <optional>
-#include <utility>
+#include <future>
+#include <numeric>
 
 #include "base/error.h"
 #include "base/parallel.h"
-#include "build/fiblet_code.h"
-#include "build/fiblet_pages.h"
-#include "build/fiblet_piece.h"
+#include "build/fiblet_block.h"
+#include "build/fiblet_walk.h"
 
 namespace radiata {
 namespace {
 
-using shader::FIBLET_SEGMENTS;
+constexpr std::size_t kBatchPoints = 1 << 20, kFibresPerBlock = 8;
 
-/// A block of fibres, encoded.
-struct Block {
-    std::vector<LooseFiblet> fiblets;
-    std::vector<std::uint32_t> heap;
-    double sum_error_mm = 0, max_error_mm = 0;
-    std::uint64_t points = 0, measured = 0;
+/// Caps from the whole sphere, for whatever comes, and from the largest turn downwards in constant ratios of their angles.
+void setCaps(double largest_turn, shader::FibletCodec& codec) {
+    const double first = std::clamp(largest_turn, 1e-3, 2.2);
+    const double ratio =
+        std::max(std::pow(first / 0.026, 1.0 / (shader::FIBLET_CAPS - 2)), 1.19);  // down to 1.5 degrees or less
+    codec.cap_ratio[0] = 2;
+    for (std::uint32_t i = 1; i < shader::FIBLET_CAPS; ++i)
+        codec.cap_ratio[i] = float(1 - std::cos(first * std::pow(ratio, 1.0 - i)));
+}
+
+/// One component of one vertex column of a batch, per point of the batch.
+struct Component {
+    std::size_t column = 0;
+    int component = 0, of = 1;
 };
 
-class Encoder {
-public:
-    Encoder(const model::FibletSet& set, const FibletOptions& options)
-        : set_(set), options_(options), bound_mm_(float(options.bound_um * 1e-3)) {}
+std::vector<Component> componentsOf(const model::TractogramHeader& header) {
+    std::vector<Component> all;
+    for (std::size_t c = 0; c < header.vertex_columns.size(); ++c) {
+        for (int k = 0; k < header.vertex_columns[c].components; ++k)
+            all.push_back({c, k, header.vertex_columns[c].components});
+    }
+    return all;
+}
 
-    void encode(std::span<const glm::vec3> fibre, std::uint64_t number, Block& block) const {
-        const std::uint64_t segments = fibre.size() - 1,
-                            count = std::max<std::uint64_t>(1, (segments + FIBLET_SEGMENTS - 1) / FIBLET_SEGMENTS);
-        if (count > model::kFibletsPerFibre) {
-            throw Error(Code::kInvalidArgument,
-                        name(number) + " has " + std::to_string(fibre.size()) + " points; a set of fiblets holds at most " +
-                            std::to_string(FIBLET_SEGMENTS * model::kFibletsPerFibre + 1) + " per fibre");
-        }
-        block.points += fibre.size();
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const std::uint64_t begin = i * FIBLET_SEGMENTS, end = std::min(segments, begin + FIBLET_SEGMENTS);
-            model::FibletParts parts;
-            parts.fibre = std::uint32_t(number);
-            parts.index = std::uint32_t(i);
-            parts.last = i + 1 == count;
-            encodePart(fibre.subspan(begin, end - begin + 1), parts, block);
-        }
+class Batches {
+public:
+    Batches(const FibletEncoder& encoder, double walk_step_mm, std::vector<Component> components)
+        : encoder_(encoder), walk_step_mm_(walk_step_mm), components_(std::move(components)) {}
+
+    void encode(const model::FibreBatch& batch, FibletBlock& all) const {
+        std::vector<FibletBlock> blocks((batch.fibreCount() + kFibresPerBlock - 1) / kFibresPerBlock);
+        parallelFor(batch.fibreCount(), kFibresPerBlock, [&](std::size_t begin, std::size_t end) {
+            FibletBlock& block = blocks[begin / kFibresPerBlock];
+            prepare(block);
+            Walk walked;
+            std::vector<std::vector<float>> values(components_.size());
+            for (std::size_t f = begin; f < end; ++f) {
+                if (batch.fibre(f).empty()) continue;
+                if (walk_step_mm_ > 0) walk(batch.fibre(f), walk_step_mm_, walked);
+                const std::span<const glm::vec3> points =
+                    walk_step_mm_ > 0 ? std::span<const glm::vec3>(walked.points) : batch.fibre(f);
+                for (std::size_t c = 0; c < components_.size(); ++c) {
+                    values[c].resize(points.size());
+                    for (std::size_t i = 0; i < points.size(); ++i) {
+                        values[c][i] = value(batch, f, c, walk_step_mm_ > 0 ? walked.places[i] : double(i));
+                    }
+                }
+                encoder_.encode(points, values, batch.first_fibre + f, block);
+            }
+        });
+        for (const FibletBlock& block : blocks) all.append(block);
     }
 
-    std::string name(std::uint64_t fibre) const { return options_.source + ": fibre " + std::to_string(fibre); }
+    void prepare(FibletBlock& block) const {
+        block.ranges.resize(components_.size());
+        block.values.resize(components_.size());
+    }
 
 private:
-    void encodePart(std::span<const glm::vec3> points, model::FibletParts& parts, Block& block) const {
-        const glm::dvec3 place = (glm::dvec3(points[0]) - set_.origin_mm) / double(set_.codec.cell_mm);
-        parts.cell = glm::uvec3(glm::clamp(glm::round(place), glm::dvec3(0), glm::dvec3(model::kFibletCellMax)));
-        const glm::dvec3 start = set_.origin_mm + glm::dvec3(parts.cell) * double(set_.codec.cell_mm);
-        FibletTargets targets;
-        targets.segments = parts.segments = std::uint32_t(points.size() - 1);
-        for (std::size_t i = 0; i < points.size(); ++i) targets.points[i] = glm::vec3(glm::dvec3(points[i]) - start);
-        targets.last_length_mm = set_.codec.step_mm;
-        std::uint32_t tail = 0;
-        if (parts.last && parts.segments > 0) {
-            const double length = glm::distance(glm::dvec3(points[points.size() - 1]), glm::dvec3(points[points.size() - 2]));
-            if (length < 0.99 * double(set_.codec.step_mm)) {
-                tail = std::uint32_t(std::lround(length / double(set_.codec.step_mm) * 65535));
-                targets.last_length_mm = set_.codec.step_mm * (float(tail) / 65535.0F);
-                parts.shortened = true;
-            }
-        }
-        put(choose(targets, parts.fibre), targets, tail, parts, block);
+    float value(const model::FibreBatch& batch, std::size_t f, std::size_t c, double place) const {
+        const Component& from = components_[c];
+        const float* first = batch.vertex_values[from.column].data() + batch.offsets[f] * from.of + from.component;
+        const auto before = std::size_t(place);
+        const double fraction = place - double(before);
+        const float a = first[before * from.of];
+        return fraction > 0 ? float(a + fraction * (double(first[(before + 1) * from.of]) - a)) : a;
     }
 
-    /// The narrowest codes that hold the bound, under the cap with the smallest error.
-    FibletPiece choose(const FibletTargets& targets, std::uint64_t fibre) const {
-        std::optional<FibletPiece> best;
-        for (std::uint32_t choice = 0; choice < model::kFibletWidths.size(); ++choice) {
-            for (std::uint32_t cap = 0; cap < shader::FIBLET_CAPS; ++cap) {
-                const FibletPiece piece = encodeGreedy(targets, choice, cap, set_.codec);
-                if (!best || piece.max_error_mm < best->max_error_mm) best = piece;
-            }
-            if (best->max_error_mm <= bound_mm_) return *best;
-        }
-        throw Error(Code::kInvalidArgument, name(fibre) + " cannot be encoded within " + std::to_string(options_.bound_um) +
-                                                " um: with steps of " + std::to_string(set_.codec.step_mm) +
-                                                " mm the least error found is " + std::to_string(1e3F * best->max_error_mm) +
-                                                " um; allow that much");
-    }
-
-    void put(const FibletPiece& piece, const FibletTargets& targets, std::uint32_t tail, model::FibletParts& parts,
-             Block& block) const {
-        parts.cap = piece.cap;
-        parts.direction = piece.direction;
-        parts.width_choice = piece.width_choice;
-        const std::uint32_t width = model::kFibletWidths[piece.width_choice];
-        const std::uint32_t words = model::fibletWords(parts.segments, width, parts.shortened);
-        block.fiblets.push_back({model::packHead(parts), block.heap.size()});
-        block.heap.resize(block.heap.size() + words, 0);
-        const std::span<std::uint32_t> own = std::span(block.heap).last(words);
-        for (std::uint32_t i = 0; i + 1 < parts.segments; ++i) putBits(own, i * width, width, piece.codes[i]);
-        if (parts.shortened) putBits(own, (parts.segments - 1) * width, 16, tail);
-        block.sum_error_mm += piece.sum_error_mm;
-        block.max_error_mm = std::max(block.max_error_mm, double(piece.max_error_mm));
-        block.measured += targets.segments + 1;
-    }
-
-    const model::FibletSet& set_;
-    const FibletOptions& options_;
-    float bound_mm_;
+    const FibletEncoder& encoder_;
+    double walk_step_mm_;
+    std::vector<Component> components_;
 };
 
-/// Cells, step and caps for the points. \throws Error(kInvalidArgument) for a point that is not finite
-void measure(std::span<const glm::vec3> points, std::span<const std::uint64_t> offsets, const FibletOptions& options,
-             model::FibletSet& set) {
-    glm::dvec3 low(0), high(0);
-    double length = 0;
-    std::uint64_t segments = 0;
-    for (std::size_t f = 0; f + 1 < offsets.size(); ++f) {
-        for (std::uint64_t i = offsets[f]; i < offsets[f + 1]; ++i) {
-            const glm::dvec3 p(points[i]);
-            if (!std::isfinite(p.x + p.y + p.z)) {
-                throw Error(Code::kInvalidArgument, options.source + ": point " + std::to_string(i - offsets[f]) +
-                                                        " of fibre " + std::to_string(f) + " is not finite");
-            }
-            low = i == 0 ? p : glm::min(low, p);
-            high = i == 0 ? p : glm::max(high, p);
-            if (i > offsets[f] && (i + 1 < offsets[f + 1] || i == offsets[f] + 1)) {
-                length += glm::distance(p, glm::dvec3(points[i - 1]));
-                ++segments;
-            }
+void addFibreColumns(const model::FibreBatch& batch, model::FibletSet& set) {
+    for (std::size_t c = 0; c < set.fibre_columns.size(); ++c) {
+        set.fibre_columns[c].values.insert(set.fibre_columns[c].values.end(), batch.fibre_values[c].begin(),
+                                           batch.fibre_values[c].end());
+    }
+}
+
+/// The last pass. \param walk_step_mm  0: points stay
+model::FibletSet encodeAll(const OpenTractogram& open, model::FibletSet set, double walk_step_mm, const FibletOptions& options,
+                           const FibletProgress& progress) {
+    const std::unique_ptr<model::TractogramSource> source = open();
+    const model::TractogramHeader& header = source->header();
+    const std::vector<Component> components = componentsOf(header);
+    for (const model::ColumnName& column : header.fibre_columns)
+        set.fibre_columns.push_back({column.name, std::uint32_t(column.components), {}});
+    const FibletEncoder encoder(set.codec, set.origin_mm, options, set.source);
+    const Batches batches(encoder, walk_step_mm, components);
+    FibletBlock all;
+    batches.prepare(all);
+    std::uint64_t fibres = 0;
+    model::FibreBatch batch, next;
+    bool more = source->read(batch, kBatchPoints);
+    while (more) {
+        auto reading = std::async(std::launch::async, [&] { return source->read(next, kBatchPoints); });
+        batches.encode(batch, all);
+        addFibreColumns(batch, set);
+        fibres += batch.fibreCount();
+        more = reading.get();
+        std::swap(batch, next);
+        if (progress) progress(source->bytesTotal() > 0 ? double(source->bytesRead()) / double(source->bytesTotal()) : 0);
+    }
+    set.groups = source->groups();
+    set.points = all.points;
+    set.errors = {all.measured > 0 ? 1e3 * all.sum_error_mm / double(all.measured) : 0, 1e3 * all.max_error_mm, all.measured};
+    const std::vector<std::uint32_t> order = arrangeFiblets(set, all.fiblets, all.heap, fibres);
+    for (std::size_t c = 0; c < components.size(); ++c) {
+        model::PointColumn column{
+            header.vertex_columns[components[c].column].name, std::uint32_t(components[c].component), {}, {}};
+        column.ranges.reserve(order.size());
+        column.values.reserve(64 * order.size());
+        for (const std::uint32_t i : order) {
+            column.ranges.push_back(all.ranges[c][i]);
+            column.values.insert(column.values.end(), all.values[c].begin() + 64L * i, all.values[c].begin() + 64L * (i + 1));
         }
+        set.point_columns.push_back(std::move(column));
     }
-    const glm::dvec3 size = high - low;
-    const double step = options.step_mm > 0 ? options.step_mm : segments > 0 ? length / double(segments) : 0;
-    set.codec.step_mm = float(step > 0 ? step : 1);
-    set.origin_mm = low;
-    set.codec.cell_mm = float(std::max(std::max({size.x, size.y, size.z}) / model::kFibletCellMax, 1e-6) * (1 + 1e-6));
-    for (std::uint32_t i = 0; i < shader::FIBLET_CAPS; ++i) {
-        set.codec.cap_ratio[i] = float(1 - std::cos(3.14159265358979 * std::exp2(-0.5 * i)));
-    }
+    return set;
 }
 
 }  // namespace
 
+model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress) {
+    if (!(options.bound_um > 0) || !(options.walk_bound_um > 0)) {
+        throw Error(Code::kInvalidArgument, "the error bounds of fiblets are " + std::to_string(options.bound_um) + " and " +
+                                                std::to_string(options.walk_bound_um) + " um; both would have to be above 0");
+    }
+    const auto part = [&](double begin, double end) {
+        return FibletProgress([&progress, begin, end](double share) {
+            if (progress) progress(begin + (end - begin) * share);
+        });
+    };
+    const std::unique_ptr<model::TractogramSource> source = open();
+    const FibletMeasures measures = measureTractogram(*source, part(0, 0.05));
+    model::FibletSet set;
+    set.source = source->header().source;
+    set.bound_um = options.bound_um;
+    const bool any = measures.all.points > 0;
+    const glm::dvec3 low = any ? glm::dvec3(measures.all.bounds_min) : glm::dvec3(0),
+                     high = any ? glm::dvec3(measures.all.bounds_max) : low;
+    const glm::dvec3 size = high - low;
+    set.origin_mm = low;
+    set.codec.cell_mm = float(std::max(std::max({size.x, size.y, size.z}) / model::kFibletCellMax, 1e-6) * (1 + 1e-6));
+    double kept = measures.keptStepMm(options.bound_um);
+    if (measures.all.length_mm == 0 && measures.all.segments == 0) kept = 1;  // single points
+    if (kept > 0 && (options.step_mm == 0 || options.step_mm == kept)) {
+        set.codec.step_mm = float(kept);
+        setCaps(measures.largest_turn, set.codec);
+        return encodeAll(open, std::move(set), 0, options, part(0.05, 1));
+    }
+    const WalkChoice choice = chooseWalk(*open(), measures, options.step_mm, options.walk_bound_um, part(0.05, 0.3));
+    set.walked = true;
+    set.walk_errors = choice.errors;
+    set.codec.step_mm = float(choice.step_mm);
+    setCaps(measures.largest_turn, set.codec);
+    return encodeAll(open, std::move(set), choice.step_mm, options, part(0.3, 1));
+}
+
+model::FibletSet encodeFiblets(const model::Tractogram& tractogram, const FibletOptions& options) {
+    return encodeFiblets([&] { return model::sourceOf(tractogram); }, options);
+}
+
 model::FibletSet encodeFiblets(std::span<const glm::vec3> points, std::span<const std::uint64_t> offsets,
                                const FibletOptions& options) {
-    model::FibletSet set;
-    set.source = options.source;
-    set.bound_um = options.bound_um;
-    measure(points, offsets, options, set);
-    const Encoder encoder(set, options);
-    const std::size_t fibres = offsets.size() - 1, block_size = 16;
-    std::vector<Block> blocks((fibres + block_size - 1) / block_size);
-    parallelFor(fibres, block_size, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t f = begin; f < end; ++f) {
-            if (offsets[f + 1] > offsets[f])
-                encoder.encode(points.subspan(offsets[f], offsets[f + 1] - offsets[f]), f, blocks[begin / block_size]);
-        }
-    });
-    std::vector<LooseFiblet> fiblets;
-    std::vector<std::uint32_t> heap;
-    double sum_mm = 0, max_mm = 0;
-    for (Block& block : blocks) {
-        for (LooseFiblet& fiblet : block.fiblets) {
-            fiblet.first_word += heap.size();
-            fiblets.push_back(fiblet);
-        }
-        heap.insert(heap.end(), block.heap.begin(), block.heap.end());
-        sum_mm += block.sum_error_mm;
-        max_mm = std::max(max_mm, block.max_error_mm);
-        set.points += block.points;
-        set.errors.points += block.measured;
-    }
-    set.errors.mean_um = set.errors.points > 0 ? 1e3 * sum_mm / double(set.errors.points) : 0;
-    set.errors.max_um = 1e3 * max_mm;
-    arrangeFiblets(set, fiblets, heap, fibres);
-    return set;
+    model::Tractogram tractogram;
+    tractogram.header.source = tractogram.header.format = "memory";
+    tractogram.fibres.points.assign(points.begin(), points.end());
+    tractogram.fibres.offsets.assign(offsets.begin(), offsets.end());
+    return encodeFiblets(tractogram, options);
 }
 
 }  // namespace radiata

@@ -97,8 +97,8 @@ void indexFibres(model::FibletSet& set, std::uint64_t fibres) {
     }
 }
 
-void arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets, const std::vector<std::uint32_t>& heap,
-                    std::uint64_t fibres) {
+std::vector<std::uint32_t> arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets,
+                                          const std::vector<std::uint32_t>& heap, std::uint64_t fibres) {
     std::vector<std::pair<std::uint64_t, std::uint32_t>> order(fiblets.size());
     parallelFor(fiblets.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -128,6 +128,9 @@ void arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fible
     set.codes.push_back(0);
     indexFibres(set, fibres);
     boundFiblets(set);
+    std::vector<std::uint32_t> numbers(order.size());
+    std::transform(order.begin(), order.end(), numbers.begin(), [](const auto& each) { return each.second; });
+    return numbers;
 }
 
 }  // namespace radiata

@@ -16,10 +16,11 @@ struct LooseFiblet {
 };
 
 /// Fills heads, codes, pages, boxes, fibre_first and fibre_fiblets of a set whose codec and origin are known.
-/// Ties in the order are broken by fibre and number, so equal input gives equal bytes.
+/// Ties in the order are broken by place in the list, so equal input gives equal bytes.
 /// \param fibres  how many, those without fiblets included
-void arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets, const std::vector<std::uint32_t>& heap,
-                    std::uint64_t fibres);
+/// \return the order: head i is that of fiblet number order[i] of the list
+std::vector<std::uint32_t> arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets,
+                                          const std::vector<std::uint32_t>& heap, std::uint64_t fibres);
 
 /// Boxes of pages and of fiblets from the decoded points. Used by arrangeFiblets and after reading a file.
 void boundFiblets(model::FibletSet& set);

@@ -25,10 +25,11 @@ struct FibreColumn {
     std::vector<float> values;  ///< fibres * components
 };
 
-/// One number per point, in 256 steps between the smallest and largest of each fiblet.
+/// One number per point, in 254 steps between the smallest and largest of each fiblet; 255 stands for "no value".
 struct PointColumn {
     std::string name;
-    std::vector<glm::vec2> ranges;     ///< per fiblet, in the order of the heads: value of 0 and of 255
+    std::uint32_t component = 0;       ///< of a column of vectors, each component being a PointColumn of its own
+    std::vector<glm::vec2> ranges;     ///< per fiblet, in the order of the heads: value of 0 and of 254
     std::vector<std::uint8_t> values;  ///< 64 per fiblet; point i of fiblet f is at 64 f + i
 };
 

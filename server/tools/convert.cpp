@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     app.require_subcommand(1);
     radiata::tools::addUncertaintyCommand(app);
     radiata::tools::addTensorsCommand(app);
+    radiata::tools::addTractsCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

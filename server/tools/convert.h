@@ -15,6 +15,8 @@ namespace radiata::tools {
 /// Adds "uncertainty IN OUT": glyphs of uncertainty by the recipe of Peters et al. 2023, Sec. 5.
 void addUncertaintyCommand(CLI::App& app);
 void addTensorsCommand(CLI::App& app);
+/// Adds "tracts IN OUT": streamlines to fiblets (docs/formats/fiblet.md) and back.
+void addTractsCommand(CLI::App& app);
 
 /// How an SH image is to be read, as text of options.
 struct ShReading {

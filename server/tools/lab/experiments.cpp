@@ -41,6 +41,10 @@ const std::vector<Experiment>& experiments() {
         {"wyman-fig12", "Wyman et al. 2006, Fig. 12: error by resolution of the lattice; texels on the shown surface",
          wymanFig12},
         {"illumination-pareto", "globally lit isosurfaces: time for texels against error", illuminationPareto},
+        {"fiblet-codec", "fiblets: bytes a point, errors and encoding speed by width of the search, bits and bound",
+         fibletCodec},
+        {"schertzer-table1", "Schertzer et al. 2022, Table 1: sizes and errors of fiblets, the paper's layout and QFib",
+         schertzerTable1},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
     };

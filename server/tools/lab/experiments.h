@@ -28,6 +28,8 @@ Report wymanFig7(gpu::Device& device, const Options& options);
 Report wymanFig12(gpu::Device& device, const Options& options);
 Report wymanTable2(gpu::Device& device, const Options& options);
 Report illuminationPareto(gpu::Device& device, const Options& options);
+Report fibletCodec(gpu::Device& device, const Options& options);
+Report schertzerTable1(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab

@@ -38,9 +38,7 @@ protected:
         return light.sky.radiance.x + light.sky.gradient.x * glm::dot(d, glm::normalize(light.sky.up));
     }
     double isovalueOf(const glm::ivec3& texel) const { return field_.value(glm::dvec3(texel)) + 1e-5 * range(); }
-    double range() const {
-        return *std::ranges::max_element(image_.values) - *std::ranges::min_element(image_.values);
-    }
+    double range() const { return *std::ranges::max_element(image_.values) - *std::ranges::min_element(image_.values); }
 };
 
 TEST_F(LatticeLight, IrradianceAgreesWithPathTracingInDouble) {

@@ -1,0 +1,129 @@
+#include "build/fiblet_measure.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <mutex>
+#include <string>
+
+#include "base/error.h"
+#include "base/parallel.h"
+#include "build/fiblet_walk.h"
+
+namespace radiata {
+namespace {
+
+constexpr std::size_t kBatchPoints = 1 << 20;
+constexpr int kSteps = 10;  ///< tried ones, each 1 / sqrt(2) of the one before
+
+double turnAt(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+    const glm::dvec3 u = b - a, v = c - b;
+    return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+double shareRead(const model::TractogramSource& source) {
+    return source.bytesTotal() > 0 ? double(source.bytesRead()) / double(source.bytesTotal()) : 0;
+}
+
+}  // namespace
+
+double FibletMeasures::keptStepMm(double bound_um) const {
+    if (all.inner_segments == 0) return longest_last_mm;
+    const double mean = all.inner_length_mm / double(all.inner_segments);
+    const double rounding = std::sqrt(3.0) * longest_reach_mm * 0x1p-23;
+    const double slack = std::min(0.01 * mean, bound_um * 1e-3 / 16) + rounding;
+    const bool alike =
+        all.longest_segment_mm - mean <= slack && mean - all.shortest_segment_mm <= slack && longest_last_mm - mean <= slack;
+    return alike && mean > 0 ? mean : 0;
+}
+
+FibletMeasures measureTractogram(model::TractogramSource& source, const FibletProgress& progress) {
+    FibletMeasures measures;
+    model::FibreBatch batch;
+    std::mutex mutex;
+    while (source.read(batch, kBatchPoints)) {
+        measures.all.add(batch);
+        parallelFor(batch.fibreCount(), 64, [&](std::size_t begin, std::size_t end) {
+            double last = 0, turn = 0;
+            for (std::size_t f = begin; f < end; ++f) {
+                const std::span<const glm::vec3> p = batch.fibre(f);
+                const auto bad = std::find_if(p.begin(), p.end(), [](glm::vec3 q) { return !std::isfinite(q.x + q.y + q.z); });
+                if (bad != p.end()) {
+                    throw Error(Code::kInvalidArgument, source.header().source + ": point " + std::to_string(bad - p.begin()) +
+                                                            " of fibre " + std::to_string(batch.first_fibre + f) +
+                                                            " is not finite");
+                }
+                if (p.size() > 1)
+                    last = std::max(last, glm::distance(glm::dvec3(p[p.size() - 1]), glm::dvec3(p[p.size() - 2])));
+                for (std::size_t i = 2; i < p.size(); ++i) {
+                    turn = std::max(turn, turnAt(glm::dvec3(p[i - 2]), glm::dvec3(p[i - 1]), glm::dvec3(p[i])));
+                }
+            }
+            std::lock_guard lock(mutex);
+            measures.longest_last_mm = std::max(measures.longest_last_mm, last);
+            measures.largest_turn = std::max(measures.largest_turn, turn);
+        });
+        if (progress) progress(shareRead(source));
+    }
+    if (measures.all.points > 0) {
+        const glm::vec3 reach = glm::max(glm::abs(measures.all.bounds_min), glm::abs(measures.all.bounds_max));
+        measures.longest_reach_mm = std::max({reach.x, reach.y, reach.z});
+    }
+    return measures;
+}
+
+WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
+                      const FibletProgress& progress) {
+    struct Trial {
+        double step_mm = 0, sum_mm = 0, max_mm = 0;
+        std::uint64_t worst = 0;
+    };
+    const double segments = double(std::max<std::uint64_t>(measures.all.segments, 1));
+    const double mean = measures.all.length_mm > 0 ? measures.all.length_mm / segments : 1;
+    std::vector<Trial> trials;
+    for (int i = 0; i < (step_mm > 0 ? 1 : kSteps); ++i) {
+        const double step = step_mm > 0 ? step_mm : mean * std::exp2(-0.5 * i);
+        const double most = double(shader::FIBLET_SEGMENTS) * model::kFibletsPerFibre;
+        if (measures.all.longest_fibre_mm / step < most - 1) {
+            trials.push_back({step});
+        } else if (i == 0) {
+            throw Error(Code::kInvalidArgument, source.header().source + ": the longest fibre has " +
+                                                    std::to_string(measures.all.longest_fibre_mm) + " mm; steps of " +
+                                                    std::to_string(step) + " mm would be more than " + std::to_string(most));
+        }
+    }
+    model::FibreBatch batch;
+    std::mutex mutex;
+    while (source.read(batch, kBatchPoints)) {
+        std::vector<double> sums(trials.size() * batch.fibreCount()), maxima(sums.size());
+        parallelFor(batch.fibreCount(), 16, [&](std::size_t begin, std::size_t end) {
+            Walk one;
+            for (std::size_t f = begin; f < end; ++f) {
+                for (std::size_t t = 0; t < trials.size(); ++t) {
+                    walk(batch.fibre(f), trials[t].step_mm, one);
+                    sums[f * trials.size() + t] = one.sum_error_mm;
+                    maxima[f * trials.size() + t] = one.max_error_mm;
+                }
+            }
+        });
+        for (std::size_t i = 0; i < sums.size(); ++i) {
+            Trial& trial = trials[i % trials.size()];
+            trial.sum_mm += sums[i];
+            if (maxima[i] > trial.max_mm) trial.worst = batch.first_fibre + i / trials.size();
+            trial.max_mm = std::max(trial.max_mm, maxima[i]);
+        }
+        if (progress) progress(shareRead(source));
+    }
+    for (const Trial& trial : trials) {
+        if (1e3 * trial.max_mm > bound_um) continue;
+        const double points = double(std::max<std::uint64_t>(measures.all.points, 1));
+        return {trial.step_mm, {1e3 * trial.sum_mm / points, 1e3 * trial.max_mm, measures.all.points}};
+    }
+    const Trial& best = *std::min_element(trials.begin(), trials.end(), [](auto& a, auto& b) { return a.max_mm < b.max_mm; });
+    throw Error(Code::kInvalidArgument,
+                source.header().source + ": the points of fibre " + std::to_string(best.worst) + " cannot be kept within " +
+                    std::to_string(bound_um) + " um of a line with steps of " + std::to_string(best.step_mm) +
+                    " mm; it would take " + std::to_string(1e3 * best.max_mm) + " um, or a smaller step");
+}
+
+}  // namespace radiata

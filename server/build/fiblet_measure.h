@@ -1,0 +1,43 @@
+// What is found out about a tractogram before it is encoded: where it lies, whether its steps are constant, and if not, which
+// step to walk with.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+
+#include "model/fiblet_set.h"
+#include "model/tractogram.h"
+
+namespace radiata {
+
+using OpenTractogram = std::function<std::unique_ptr<model::TractogramSource>()>;
+/// Called now and then with a share of the work from 0 to 1; may throw to end it.
+using FibletProgress = std::function<void(double share)>;
+
+struct FibletMeasures {
+    model::TractogramMeasures all;
+    double longest_last_mm = 0;   ///< of all fibres' last segments
+    double largest_turn = 0;      ///< between segments, rad
+    double longest_reach_mm = 0;  ///< largest coordinate's absolute value
+
+    /// The step if the points can stay: all segments alike within what rounding does to coordinates and 1 / 16 of the bound,
+    /// last ones no longer.
+    double keptStepMm(double bound_um) const;
+};
+
+/// \throws Error(kInvalidArgument) naming fibre and point that is not finite, and as the source
+FibletMeasures measureTractogram(model::TractogramSource& source, const FibletProgress& progress);
+
+struct WalkChoice {
+    double step_mm = 0;
+    model::FibletErrors errors;  ///< of the vertices against the walked lines
+};
+
+/// The largest of a row of steps, from the mean segment's length downwards, that keeps all vertices within the bound.
+/// \param step_mm  to be used as it is, and held against the bound; 0: to be chosen
+/// \throws Error(kInvalidArgument) naming the fibre that no step, or not this one, holds within the bound
+WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
+                      const FibletProgress& progress);
+
+}  // namespace radiata

@@ -1,0 +1,125 @@
+// radiata-convert tracts: streamlines of any readable format to fiblets and back.
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/error.h"
+#include "build/fiblet_encode.h"
+#include "build/fiblet_pages.h"
+#include "build/fiblet_source.h"
+#include "io/fiblet_file.h"
+#include "io/tractogram.h"
+#include "tools/convert.h"
+
+namespace radiata::tools {
+namespace {
+
+struct Settings {
+    std::filesystem::path in, out;
+    FibletOptions fiblets;
+    bool fast = false;
+    io::TractOptions reading;
+};
+
+void requireFolder(const std::filesystem::path& path) {
+    if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path())) {
+        throw Error(Code::kNotFound, path.string() + ": there is no folder " + path.parent_path().string());
+    }
+}
+
+void encode(const Settings& settings) {
+    FibletOptions options = settings.fiblets;
+    if (settings.fast) {
+        options.beam = 0;
+        options.least_width = 8;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    model::FibletSet set;
+    {
+        Progress progress(settings.in.filename().string(), 10000);
+        double shown = 0;
+        set = encodeFiblets([&] { return io::openTractogram(settings.in, settings.reading); }, options,
+                            [&](double share) {
+                                const auto steps = std::size_t((share - shown) * 10000);
+                                progress.add(steps);
+                                shown += double(steps) / 10000;
+                            });
+    }
+    io::writeFiblets(set, settings.out);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    const double bytes = double(std::filesystem::file_size(settings.out)), points = double(set.points);
+    std::printf(
+        "%s: %llu fibres, %llu points, %.3f bytes a point, error mean %.2f um, largest %.2f um; %.1f s, %.2f million points a "
+        "second\n",
+        settings.out.string().c_str(), static_cast<unsigned long long>(set.fibres()),
+        static_cast<unsigned long long>(set.points), bytes / points, set.errors.mean_um, set.errors.max_um, seconds,
+        points / seconds * 1e-6);
+    if (set.walked) {
+        std::printf(
+            "The steps vary, so points were set anew every %.4f mm; the original ones are off these lines by %.1f um on "
+            "average, %.1f um at most.\n",
+            double(set.codec.step_mm), set.walk_errors.mean_um, set.walk_errors.max_um);
+    }
+}
+
+void decode(const Settings& settings) {
+    io::requireWritableName(settings.out);
+    const model::FibletSet set = io::readFiblets(settings.in);
+    io::writeTractogram(*sourceOf(set), settings.out);
+    std::printf("%s: %llu fibres, %llu points\n", settings.out.string().c_str(), static_cast<unsigned long long>(set.fibres()),
+                static_cast<unsigned long long>(set.points));
+}
+
+void convert(const Settings& settings) {
+    requireFolder(settings.out);
+    const bool from = io::isFibletName(settings.in), to = io::isFibletName(settings.out);
+    if (from && to)
+        throw Error(Code::kInvalidArgument,
+                    "both files are fiblets; encode from the original instead, each time loses a little");
+    if (to) {
+        encode(settings);
+    } else if (from) {
+        decode(settings);
+    } else {
+        io::requireWritableName(settings.out);
+        io::writeTractogram(*io::openTractogram(settings.in, settings.reading), settings.out);
+    }
+}
+
+}  // namespace
+
+void addTractsCommand(CLI::App& app) {
+    auto settings = std::make_shared<Settings>();
+    CLI::App* command =
+        app.add_subcommand("tracts", "Streamlines to fiblets and back, or from one format to another, by the names' endings");
+    command->add_option("IN", settings->in, "Tractogram in any readable format, or .fiblet")->required();
+    command->add_option("OUT", settings->out, ".fiblet, .tck or .trx")->required();
+    command->add_option("--column", settings->reading.columns,
+                        "Further files with values of IN: .tsf, or text with a number per streamline");
+    command->add_option("--bound", settings->fiblets.bound_um, "Largest distance between a point and its decoded one, um")
+        ->capture_default_str();
+    command
+        ->add_option("--walk-bound", settings->fiblets.walk_bound_um,
+                     "If the steps vary: largest distance of a point from the line that is stored, um")
+        ->capture_default_str();
+    command
+        ->add_option("--step", settings->fiblets.step_mm,
+                     "If the steps vary: step of the line that is stored, mm; 0: as large as --walk-bound allows")
+        ->check(CLI::Range(0.0, 1000.0))
+        ->capture_default_str();
+    command->add_option("--beam", settings->fiblets.beam, "Width of the search: 0 (none) to 64; wider is slower and smaller")
+        ->check(CLI::Range(0, 64))
+        ->capture_default_str();
+    command
+        ->add_option("--least-bits", settings->fiblets.least_width,
+                     "Bits per point at least; more are taken where the bound needs it")
+        ->check(CLI::IsMember({4, 6, 8, 16}))
+        ->capture_default_str();
+    command->add_flag("--fast", settings->fast, "As --beam 0 --least-bits 8");
+    command->callback([settings] { convert(*settings); });
+}
+
+}  // namespace radiata::tools
