@@ -1,4 +1,6 @@
 // Global light: sky, suns and lights, and how texels keep it.
+#include <algorithm>
+
 #include "service/convert.h"
 #include "service/convert_checks.h"
 
