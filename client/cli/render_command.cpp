@@ -1,4 +1,5 @@
 // radiata render: one picture, and beside it any of the lossless outputs as .npy and what is known about the frame as JSON.
+#include <iostream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -84,6 +85,7 @@ void render(const ConnectionOptions& connection_options, const Options& options)
     const v1::Frame frame = options.stream ? streamPicture(connection, request)
                                            : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
     if (frame.image().empty()) throw ClientError(ExitCode::kRefused, "the server's frame has no picture");
+    if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
     writeArrays(options, frame);
     if (!options.info.empty()) writeFile(options.info, messageToJson(frame).dump(2) + "\n");
     if (!options.picture.empty()) writeFile(options.picture, frame.image());

@@ -29,6 +29,7 @@ void addLightOptions(CLI::App& app, LightOptions& options) {
     app.add_option("--light-radius", options.angular_radius_deg,
                    "Half the angle under which the light of soft shadows is seen, degrees (default 5)");
     app.add_option("--shadow-rays", options.shadow_rays, "Rays towards the light of soft shadows, per sample (default 16)");
+    addIlluminationOptions(app, options.illumination);
     app.add_option("--ambient-occlusion", options.occlusion_rays, "Weaken the ambient light by so many rays per sample")
         ->type_name("RAYS");
     app.add_option("--occlusion-radius", options.occlusion_radius_mm,
@@ -45,6 +46,7 @@ void setLight(v1::Light& light, const LightOptions& options) {
     if (options.occlusion_radius_mm && !options.occlusion_rays) refuse("--occlusion-radius goes with --ambient-occlusion only");
     if (!options.direction_camera.empty()) setVector(*light.mutable_direction_camera(), options.direction_camera);
     if (!options.direction_world.empty()) setVector(*light.mutable_direction_world(), options.direction_world);
+    setIllumination(light, options.illumination);
     if (options.irradiance) light.set_irradiance(*options.irradiance);
     if (options.ambient) light.set_ambient(*options.ambient);
     if (options.shadow == "none") light.set_shadow(v1::SHADOW_NONE);

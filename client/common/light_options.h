@@ -10,10 +10,13 @@
 
 #include "radiata/v1/scene.pb.h"
 
+#include "common/illumination_options.h"
+
 namespace radiata::client {
 
 /// Vectors hold three numbers, or none where the option was not given; absent choices are left to the server.
 struct LightOptions {
+    IlluminationOptions illumination;
     std::vector<double> direction_camera;
     std::vector<double> direction_world;
     std::optional<float> irradiance;

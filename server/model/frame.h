@@ -91,6 +91,7 @@ struct FrameInfo {
     double depth_offset_mm = 0;
     glm::dvec3 position_origin_mm{0};
     std::string device;
+    std::optional<IlluminationInfo> illumination;  ///< of scenes with global light
 };
 
 /// Row-major, first row on top. Arrays that were not wanted are empty.

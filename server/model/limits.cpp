@@ -236,6 +236,7 @@ void checkScene(const Scene& scene, const Limits& limits) {
         checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "]");
     }
     checkLight(scene.light, limits);
+    if (scene.light.illumination) validate(*scene.light.illumination, "scene.light.illumination");
     for (int c = 0; c < 3; ++c) {
         if (!(scene.background[c] >= 0 && scene.background[c] <= 1)) refuse("scene.background must be 0 to 1 in each channel");
     }

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "math/colour_map.h"
+#include "model/illumination.h"
 #include "model/isosurface_layer.h"
 #include "model/tractogram_layer.h"
 
@@ -124,6 +125,7 @@ struct Light {
     float angular_radius_deg = 5;  ///< of the spherical light of soft shadows
     int shadow_rays = 16;          ///< of soft shadows, per sample
     std::optional<AmbientOcclusion> ambient_occlusion;
+    std::optional<Illumination> illumination;  ///< lights opaque isosurfaces in place of the rest
     bool operator==(const Light&) const = default;
 };
 

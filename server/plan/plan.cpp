@@ -6,6 +6,7 @@
 
 #include "base/error.h"
 #include "plan/method_plan.h"
+#include "plan/plan_illumination.h"
 #include "plan/plan_isosurface.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_uncertainty.h"
@@ -168,8 +169,8 @@ void resolveMethod(model::Quality& quality, bool uses_table) {
 /// Passes of the layer that writes the surface buffer first need nothing from it.
 void markFirst(std::vector<PassPlan>& passes) {
     const auto writes = [](const PassPlan& pass) {
-        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface ||
-               pass.kind == PassKind::kFiblets || pass.kind == PassKind::kIsosurfaceTrace;
+        return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface || pass.kind == PassKind::kFiblets ||
+               pass.kind == PassKind::kIsosurfaceTrace;
     };
     const auto first = std::ranges::find_if(passes, writes);
     if (first == passes.end()) {
@@ -253,6 +254,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);
+    planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     return plan;

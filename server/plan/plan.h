@@ -31,17 +31,17 @@ struct LayerFacts {
     int tensor_order = 0;      ///< of the dataset's tensors; 0: it has none
     std::uint64_t glyphs = 0;  ///< shown
     std::uint64_t glyphs_available = 0;
-    double rays_per_glyph = 0;            ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
-    double depth_complexity = 1;          ///< estimate: glyph boxes along one ray
-    double radius_typical_mm = 0;         ///< of the typical amplitude
-    double value_min = 0, value_max = 0;  ///< of the volume that colours the layer or is its isosurface, if there is one
-    double value_split = 0;               ///< of an isosurface's volume: what splits it best in two
-    bool odd_bands_only = false;          ///< all even bands of a full layout are 0
-    bool camera_close = false;            ///< the eye is inside or next to some glyph, where the pole frame is not defined
-    double voxel_edge_mm = 0;             ///< the shortest
-    double sun_depth = 0;                 ///< estimate: glyph boxes along a ray towards the light
+    double rays_per_glyph = 0;              ///< estimate: pixels of the picture that the layer covers, divided by its glyphs
+    double depth_complexity = 1;            ///< estimate: glyph boxes along one ray
+    double radius_typical_mm = 0;           ///< of the typical amplitude
+    double value_min = 0, value_max = 0;    ///< of the volume that colours the layer or is its isosurface, if there is one
+    double value_split = 0;                 ///< of an isosurface's volume: what splits it best in two
+    bool odd_bands_only = false;            ///< all even bands of a full layout are 0
+    bool camera_close = false;              ///< the eye is inside or next to some glyph, where the pole frame is not defined
+    double voxel_edge_mm = 0;               ///< the shortest
+    double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
     std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
-    std::vector<LayerFacts> uncertainty;  ///< of the layer's second glyphs: one entry, or none
+    std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
 /// How one glyph layer is drawn.
@@ -77,6 +77,7 @@ enum class PassKind {
     kClear,            ///< an empty surface buffer, where no pass writes all of it
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
+    kIllumination,     ///< global light of an isosurface, and the texels that it lacks
     kSunTable,
     kShadow,
     kOcclusion,
@@ -112,6 +113,9 @@ struct FramePlan {
 
     bool usesVeil() const {
         return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+    }
+    bool usesGlobalLight() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIllumination; });
     }
     bool usesUncertainty() const {
         return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });

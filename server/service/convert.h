@@ -34,6 +34,7 @@ model::Tessellation fromProto(const v1::Tessellation& tessellation, const std::s
 model::Quality fromProto(const v1::Quality& quality, const std::string& where);
 model::TensorMarchSettings fromProto(const v1::TensorMarch& settings, const std::string& where);
 model::TensorShape fromProto(v1::TensorShape shape, const std::string& where);
+model::Illumination fromProto(const v1::Illumination& message, const std::string& where);
 model::IsosurfaceLayer fromProto(const v1::IsosurfaceLayer& message);
 model::IsosurfaceSettings fromProto(const v1::IsosurfaceSettings& message, const std::string& where);
 model::FrameRequest fromProto(const v1::FrameRequest& request, const std::string& where);
@@ -56,6 +57,8 @@ v1::Tessellation toProto(const model::Tessellation& tessellation);
 v1::Quality toProto(const model::Quality& quality);
 v1::TensorMarch toProto(const model::TensorMarchSettings& settings);
 v1::TensorShape toProto(model::TensorShape shape);
+v1::Illumination toProto(const model::Illumination& light);
+v1::IlluminationProgress toProto(const model::IlluminationInfo& info);
 v1::IsosurfaceLayer toProto(const model::IsosurfaceLayer& layer);
 v1::IsosurfaceSettings toProto(const model::IsosurfaceSettings& settings);
 v1::FrameRequest toProto(const model::FrameRequest& request);

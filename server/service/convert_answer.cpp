@@ -60,6 +60,7 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
     counters->set_hit_pixels(info.hit_pixels);
     counters->set_capped_rays(info.capped_rays);
     message.set_device(info.device);
+    if (info.illumination) *message.mutable_illumination() = toProto(*info.illumination);
 }
 
 }  // namespace

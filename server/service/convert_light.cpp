@@ -29,6 +29,7 @@ model::Light fromProto(const v1::Light& light, const std::string& where) {
         if (occlusion.has_rays()) result.ambient_occlusion->rays = toInt(occlusion.rays(), where + ".ambient_occlusion.rays");
         if (occlusion.has_radius_mm()) result.ambient_occlusion->radius_mm = occlusion.radius_mm();
     }
+    if (light.has_illumination()) result.illumination = fromProto(light.illumination(), where + ".illumination");
     return result;
 }
 
@@ -60,6 +61,7 @@ v1::Light toProto(const model::Light& light) {
             message.mutable_ambient_occlusion()->set_radius_mm(*light.ambient_occlusion->radius_mm);
         }
     }
+    if (light.illumination) *message.mutable_illumination() = toProto(*light.illumination);
     return message;
 }
 

@@ -93,7 +93,7 @@ private:
     std::optional<Choice> choose(Clock::time_point now);
     std::optional<Choice> chooseView(Clock::time_point now, bool interactive);
     void waitForWork(Lock& lock);
-    void runView(Lock& lock, const Choice& choice);
+    void runView(Lock& lock, Choice choice);
     void encodeView(const Choice& choice, model::Frame frame, double queue_ms);
     void runJob(Lock& lock, std::uint64_t id, const std::shared_ptr<JobProgress>& job);
     void encodeJob(std::shared_ptr<JobProgress> job, model::Frame frame);

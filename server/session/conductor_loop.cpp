@@ -94,9 +94,9 @@ void Conductor::waitForWork(Lock& lock) {
     }
 }
 
-void Conductor::runView(Lock& lock, const Choice& choice) {
+void Conductor::runView(Lock& lock, Choice choice) {
     View& view = choice.view->view;
-    const Step& step = choice.step;
+    Step& step = choice.step;
     view.started(step);
     const model::FrameRequest request = view.request();
     running_ = std::make_shared<Running>();
@@ -111,6 +111,8 @@ void Conductor::runView(Lock& lock, const Choice& choice) {
     std::optional<Error> failure;
     try {
         frame = backend_.render(choice.id, request, step.first_sample, step.count, {}, &running->cancel);
+        // Light that takes longer than a step leaves samples for the next one.
+        if (frame->info.samples < step.first_sample + step.count) step.state = model::FrameState::kRefining;
         frame->info.state = step.state;
     } catch (...) {
         failure = currentError();
@@ -123,7 +125,7 @@ void Conductor::runView(Lock& lock, const Choice& choice) {
         view.cancelled(step);
     } else if (failure) {
         endView(lock, choice.id, *failure);
-    } else if (view.rendered(step, ms(end - begin))) {
+    } else if (view.rendered(step, ms(end - begin), frame ? std::optional<int>(frame->info.samples) : std::nullopt)) {
         if (!views_.contains(choice.id)) return;
         encodeView(choice, std::move(*frame), ms(begin - step.arrival));
     }
@@ -185,7 +187,7 @@ void Conductor::runJob(Lock& lock, std::uint64_t id, const std::shared_ptr<JobPr
     const double took_ms = ms(Clock::now() - begin);
     job->sample_ms = std::max(took_ms / count, 1e-3);
     job->render_ms += took_ms;
-    job->samples_done += count;
+    if (frame) job->samples_done = frame->info.samples;
 
     lock.lock();
     running_.reset();

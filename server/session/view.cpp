@@ -107,7 +107,7 @@ void View::started(const Step& step) {
     if (step.emits) ++pending_;
 }
 
-bool View::rendered(const Step& step, double render_ms) {
+bool View::rendered(const Step& step, double render_ms, std::optional<int> samples) {
     working_ = false;
     sample_ms_ = std::max(render_ms / step.count, 1e-3);
     if (step.interactive) {
@@ -120,7 +120,7 @@ bool View::rendered(const Step& step, double render_ms) {
         if (step.emits) --pending_;
         return false;
     }
-    samples_done_ = step.first_sample + step.count;
+    samples_done_ = samples.value_or(step.first_sample + step.count);
     converged_ = step.state == model::FrameState::kConverged;
     return step.emits;
 }

@@ -49,8 +49,9 @@ public:
     /// When next() will have refinement to offer if nothing else happens.
     std::optional<Clock::time_point> wakeAt() const;
     void started(const Step& step);
+    /// \param samples  in the picture, fewer than the step's while its light is still being worked on; none: all of them
     /// \return whether the picture is to be encoded and offered.
-    bool rendered(const Step& step, double render_ms);
+    bool rendered(const Step& step, double render_ms, std::optional<int> samples = {});
     void cancelled(const Step& step);
 
     /// A picture of an emitting step is ready to go; replaces an older one that has not gone. \return whether it was kept

@@ -14,6 +14,7 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
+layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -24,6 +25,7 @@ layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
 layout(buffer_reference, scalar) readonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
+layout(buffer_reference, scalar) readonly buffer GlobalLightBuffer { vec3 at[]; };  // of a white surface; below 0: not known
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 
 layout(push_constant, scalar) uniform Push {
@@ -35,6 +37,7 @@ layout(push_constant, scalar) uniform Push {
     BitBuffer occlusion_bits;
     MediumBuffer media;  // not read without kMedia
     VeilBuffer veil;     // not read without kVeil
+    GlobalLightBuffer global_light;  // not read without kGlobalLight
 } push;
 
 bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
@@ -61,9 +64,12 @@ void main() {
         bool line = false;
         float dimmed = 1.0;
         if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
-        vec3 lit;
-        if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
-        else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        vec3 lit = vec3(-1.0);
+        if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
+        if (lit.x < 0.0) {
+            if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+            else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        }
         if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
             const float size_mm = pixelSize(frame, ray.direction, surface.depth);
             if (kFibreOcclusion && look.occlusion_px > 0.0) {

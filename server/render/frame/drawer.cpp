@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "render/frame/frame_parameters.h"
 #include "render/frame/glyph_passes.h"
+#include "render/frame/illumination_passes.h"
 #include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
 #include "render/frame/uncertainty_passes.h"
@@ -55,6 +56,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runIsosurfaceTrace(pass_run, pass, surface_bands_);
         case plan::PassKind::kIsosurfaceVeil:
             return runIsosurfaceVeil(pass_run, pass, veil_bands_);
+        case plan::PassKind::kIllumination:
+            return runIllumination(pass_run, pass);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
@@ -66,6 +69,8 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
     try {
         if (sample == 0) {
             target.samples = 0;
+            target.settled = false;
+            target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillIsosurfaceParameters(device_, target, list);
             fillVisibilityParameters(device_, target, list);
@@ -84,6 +89,22 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         target.samples = 0;
         throw;
     }
+}
+
+bool Drawer::settle(Target::Impl& target, const DrawList& list, std::optional<std::chrono::steady_clock::time_point> until,
+                    const std::atomic<bool>* cancel) {
+    PassRun pass_run{device_, recorder_, pipelines_, target, list, 0, cancel};
+    try {
+        target.settled = settleIllumination(pass_run, until);
+        for (const plan::PassPlan& pass : list.plan->passes) {
+            if (pass.kind == plan::PassKind::kLight) run(pass_run, pass);
+        }
+        recorder_.submitAndWait();
+    } catch (...) {
+        recorder_.discard();
+        throw;
+    }
+    return target.settled;
 }
 
 void Drawer::resolve(Target::Impl& target, const DrawList& list) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
+#include <optional>
 #include <vector>
 
 #include "render/frame/colour_tables.h"
@@ -19,6 +21,10 @@ public:
     /// `cancel` is looked at between submissions.
     /// \throws Error(kCancelled), Error of the device
     void drawSample(Target::Impl& target, const DrawList& list, int sample, const std::atomic<bool>* cancel);
+    /// Goes on with the global light of the picture's first sample, which must be the only one, and lights it anew.
+    /// \return whether it is as exact as asked for  \throws as drawSample(); the sample stays
+    bool settle(Target::Impl& target, const DrawList& list, std::optional<std::chrono::steady_clock::time_point> until,
+                const std::atomic<bool>* cancel);
     /// Mean of the samples to the target's picture.
     void resolve(Target::Impl& target, const DrawList& list);
     /// Runs the traversal of the glyph pass once more over the finished surface buffer, visiting the same boxes and
@@ -36,6 +42,7 @@ private:
     gpu::CommandRecorder recorder_;
     Pipelines pipelines_;
     ColourTables colour_tables_;
+    std::uint64_t surfaces_ = 0;  ///< first samples drawn
     BandSize surface_bands_, veil_bands_;
     BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
     DrawSize boxes_size_, mesh_size_;

@@ -6,7 +6,7 @@ namespace radiata::render {
 namespace {
 
 struct LightPush {
-    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil;
+    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light;
 };
 struct ResolvePush {
     std::uint64_t light, picture;
@@ -19,6 +19,7 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
     const Target::Impl& target = run.target;
     const plan::VisibilityPlan& visibility = run.list.plan->visibility;
     const bool media = run.list.plan->usesUncertainty(), veil = run.list.plan->usesVeil();
+    const bool global = run.list.plan->usesGlobalLight();
     std::vector<std::uint32_t> constants{PassRun::kGroup,
                                          run.sample == 0 ? 1U : 0U,
                                          run.list.plan->colour_modes,
@@ -27,14 +28,16 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                          run.list.plan->fibre_colours,
                                          veil ? 1U : 0U,
                                          run.list.plan->fibre_occlusion ? 1U : 0U,
-                                         run.list.plan->fibre_halos ? 1U : 0U};
+                                         run.list.plan->fibre_halos ? 1U : 0U,
+                                         global ? 1U : 0U};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
     run.recorder.dispatch(run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
                           LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
                                     run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
-                                    media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0});
+                                    media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
+                                    global ? target.global_light.address() : 0});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {

@@ -16,6 +16,7 @@
 #include "render/frame/pipelines.h"
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
+#include "render/light/lattice.h"
 
 namespace radiata::store {
 class VolumeDataset;
@@ -31,6 +32,9 @@ struct DrawnLayer {
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world
+    /// Of an isosurface with global light: texels on their own level sets, and those on the shown surface, which a picture at
+    /// rest has in their place unless it is off; or null.
+    std::shared_ptr<IlluminationLattice> lattice, rest_lattice;
 };
 
 /// What is drawn: one entry per layer of the plan, all with the same centre.
@@ -41,6 +45,7 @@ struct DrawList {
     std::optional<plan::RebasedCamera> frozen;  ///< that fiblets are culled for, if not for the camera
     glm::vec2 pixel_offset{0};                  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
+    bool settled = false;  ///< global light is that of a picture at rest
 };
 
 /// Rows of work per submission, adapted to the last measured speed so that each takes about kSubmissionMs.

@@ -12,6 +12,7 @@
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
 #include "render/frame/fibre_scenes.h"
+#include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
@@ -23,6 +24,9 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
+constexpr std::size_t kLatticesKept = 4;
+/// A picture at rest shows its global light in between, when it works on it for so long.
+constexpr std::chrono::milliseconds kSettleSlice{250};
 /// Points decoded on the device may be that much outside of boxes made on the CPU.
 constexpr double kDecodingMm = 1e-3;
 
@@ -77,7 +81,8 @@ struct Renderer::Impl {
     Drawer drawer;
     plan::Abilities abilities;
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
+    std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -140,6 +145,39 @@ struct Renderer::Impl {
             result.bounds = volumeBounds(*result.volume);
         }
         return result;
+    }
+
+    std::shared_ptr<IlluminationLattice> lattice(const std::shared_ptr<const store::VolumeDataset>& volume,
+                                                 const model::Illumination& light, bool projected) {
+        for (auto it = lattices.begin(); it != lattices.end(); ++it) {
+            if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
+                !IlluminationLattice::sameTexels((*it)->settings(), light)) {
+                continue;
+            }
+            lattices.splice(lattices.begin(), lattices, it);
+            return lattices.front();
+        }
+        lattices.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
+        if (lattices.size() > kLatticesKept) lattices.pop_back();
+        return lattices.front();
+    }
+
+    /// Global light of a planned frame's layers.
+    void light(DrawList& list, const std::atomic<bool>* cancel) {
+        const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
+        for (const plan::PassPlan& pass : list.plan->passes) {
+            if (pass.kind != plan::PassKind::kIllumination) continue;
+            const auto layer = static_cast<std::size_t>(pass.layer);
+            const model::Scene& scene = list.plan->resolved.scene;
+            const model::Illumination& wanted = *scene.light.illumination;
+            const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
+            DrawnLayer& drawn = list.layers[layer];
+            drawn.lattice = lattice(drawn.volume, wanted, false);
+            if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
+            for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
+                if (one) one->update(latticeRun(pass_run), wanted, nullptr, surface.colour, *surface.isovalue);
+            }
+        }
     }
 
     /// What the plan has to know about a layer.
@@ -226,11 +264,21 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     }
     model::Frame frame;
     plan::FramePlan plan;
-    const DrawList list = impl_->prepare(request, plan, frame.info);
+    DrawList list = impl_->prepare(request, plan, frame.info);
+    impl_->light(list, cancel);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
+    const bool global = plan.usesGlobalLight();
+    // All samples at once are wanted as they will be; step by step, pictures show how far the light is.
+    std::optional<std::chrono::steady_clock::time_point> until;
+    if (first_sample + count < request.quality.samples || first_sample > 0) until = begin + kSettleSlice;
+    const auto settle = [&] {
+        list.settled = true;
+        return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
+    };
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
+        if (sample > 0 && !settle()) break;
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
@@ -238,6 +286,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
             if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
         }
     }
+    if (buffers.samples == request.quality.samples) settle();
+    if (global) frame.info.illumination = illuminationInfo(list);
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     impl_->drawer.resolve(buffers, list);
@@ -246,7 +296,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;
     frame.pixels.rgba.resize(bytes);
     std::memcpy(frame.pixels.rgba.data(), buffers.picture.mapped().data(), bytes);
-    frame.info.samples = first_sample + count;
+    frame.info.samples = buffers.samples;
     frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
                        : first_sample == 0                           ? model::FrameState::kInteractive
                                                                      : model::FrameState::kRefining;

@@ -49,10 +49,13 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
+    gpu::Buffer isosurfaces;           ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
+    gpu::Buffer veil;                  ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
+    gpu::Buffer global_light;          ///< vec3[pixels], of the latest sample; only once a scene has global light
+    std::uint64_t surface_number = 0;  ///< of the first sample in the surface buffer, unlike any other's
+    bool settled = false;              ///< its global light is that of a picture at rest
     std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
-    gpu::Buffer isosurfaces;                ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
-    gpu::Buffer veil;                       ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
-    std::unique_ptr<RasterBuffers> raster;  ///< only while frames are drawn as triangles
+    std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);

@@ -21,10 +21,15 @@ Report hlawitschkaTable2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig1(gpu::Device& device, const Options& options);
 Report hlawitschkaFig2(gpu::Device& device, const Options& options);
 Report hlawitschkaFig5(gpu::Device& device, const Options& options);
+Report isosurfaceHits(gpu::Device& device, const Options& options);
+Report wymanFig5(gpu::Device& device, const Options& options);
+Report wymanFig6(gpu::Device& device, const Options& options);
+Report wymanFig7(gpu::Device& device, const Options& options);
+Report wymanFig12(gpu::Device& device, const Options& options);
+Report wymanTable2(gpu::Device& device, const Options& options);
+Report illuminationPareto(gpu::Device& device, const Options& options);
 Report fibletCodec(gpu::Device& device, const Options& options);
 Report schertzerTable1(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
-Report isosurfaceHits(gpu::Device& device, const Options& options);
-Report wymanFig5(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab

@@ -1,0 +1,108 @@
+#include "io/environment_map.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <memory>
+#include <utility>
+
+#include "base/error.h"
+#include "io/byte_source.h"
+
+// The library is one header; nothing but its reader of Radiance pictures is compiled, for this file alone.
+#define STB_IMAGE_IMPLEMENTATION
+#define STB_IMAGE_STATIC
+#define STBI_ONLY_HDR
+#define STBI_NO_STDIO
+#define STBI_MAX_DIMENSIONS 16384
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+#pragma GCC diagnostic ignored "-Wshadow"
+#pragma GCC diagnostic ignored "-Wunused-function"
+#pragma GCC diagnostic ignored "-Wunused-but-set-variable"
+#include <stb/stb_image.h>
+#pragma GCC diagnostic pop
+
+namespace radiata::io {
+namespace {
+
+constexpr std::uint64_t kFileBytesMax = 1ULL << 30;
+constexpr int kSideMax = 16384;
+
+/// The file's bytes for the library, which takes a file that ends early for one that goes on with whatever memory holds.
+struct Bytes {
+    std::vector<std::byte> all;
+    std::size_t at = 0;
+    bool cut_short = false;
+
+    static int read(void* self, char* out, int size) {
+        Bytes& bytes = *static_cast<Bytes*>(self);
+        const std::size_t count = std::min(bytes.all.size() - bytes.at, static_cast<std::size_t>(size));
+        // Its buffer of 128 bytes may end with the file; anything else that does is missed.
+        bytes.cut_short |= count == 0 || (size < 128 && count < static_cast<std::size_t>(size));
+        std::memcpy(out, bytes.all.data() + bytes.at, count);
+        bytes.at += count;
+        return static_cast<int>(count);
+    }
+    static void skip(void* self, int count) { static_cast<Bytes*>(self)->at += static_cast<std::size_t>(std::max(count, 0)); }
+    static int end(void* self) { return static_cast<Bytes*>(self)->at >= static_cast<Bytes*>(self)->all.size(); }
+};
+
+}  // namespace
+
+model::EnvironmentMap readEnvironmentMap(const std::filesystem::path& path) {
+    ByteSource file(path);
+    if (file.fileBytes() > kFileBytesMax) {
+        throw Error(Code::kUnsupported, file.name() + ": " + std::to_string(file.fileBytes()) +
+                                            " bytes are too many for an environment map; 1 GiB is the limit");
+    }
+    std::vector<std::byte> bytes(file.fileBytes());
+    bytes.resize(file.read(bytes));
+    const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
+    const int size = static_cast<int>(bytes.size());
+    const auto corrupt = [&](const std::string& reason) {
+        return Error(Code::kCorrupt, file.name() + ": not a Radiance picture that can be read (" + reason + ")");
+    };
+    if (!stbi_is_hdr_from_memory(data, size)) throw corrupt("it does not begin with #?RADIANCE or #?RGBE");
+    int width = 0, height = 0, channels = 0;
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) throw corrupt(stbi_failure_reason());
+    if (width < 2 || height < 1 || width > kSideMax || height > kSideMax) {
+        throw Error(Code::kUnsupported, file.name() + ": a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                                            "; 2x1 to 16384x16384 are read");
+    }
+    // Runs of equal bytes shrink a row to a fiftieth at best; so a small file cannot ask for gigabytes.
+    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > bytes.size() * 64) {
+        throw corrupt("its header promises more pixels than the file can hold");
+    }
+    Bytes source{std::move(bytes)};
+    const stbi_io_callbacks reader{&Bytes::read, &Bytes::skip, &Bytes::end};
+    const std::unique_ptr<float, void (*)(void*)> pixels(
+        stbi_loadf_from_callbacks(&reader, &source, &width, &height, &channels, 3), stbi_image_free);
+    if (source.cut_short) throw corrupt("it ends before its last pixel");
+    if (!pixels) throw corrupt(stbi_failure_reason());
+    model::EnvironmentMap map{width, height, {}, file.name()};
+    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    map.pixels.reserve(count);
+    for (const float* rgb = pixels.get(); map.pixels.size() < count; rgb += 3) map.pixels.emplace_back(rgb[0], rgb[1], rgb[2]);
+    checkEnvironmentMap(map);
+    return map;
+}
+
+void checkEnvironmentMap(const model::EnvironmentMap& map) {
+    if (std::abs(map.width - 2 * map.height) * 8 > map.width) {
+        throw Error(Code::kInvalidArgument, map.source + ": " + std::to_string(map.width) + "x" + std::to_string(map.height) +
+                                                " pixels; an environment map is twice as wide as high");
+    }
+    for (std::size_t i = 0; i < map.pixels.size(); ++i) {
+        for (int c = 0; c < 3; ++c) {
+            const float value = map.pixels[i][c];
+            if (std::isfinite(value) && value >= 0) continue;
+            throw Error(Code::kInvalidArgument, map.source + ": pixel (" +
+                                                    std::to_string(i % static_cast<std::size_t>(map.width)) + ", " +
+                                                    std::to_string(i / static_cast<std::size_t>(map.width)) + ") is " +
+                                                    std::to_string(value) + "; radiance is finite and at least 0");
+        }
+    }
+}
+
+}  // namespace radiata::io

@@ -1,0 +1,18 @@
+#include "plan/plan_illumination.h"
+
+#include "plan/plan_isosurface.h"
+
+namespace radiata::plan {
+
+void planIllumination(FramePlan& plan) {
+    const model::Scene& scene = plan.resolved.scene;
+    if (!scene.light.illumination) return;
+    for (std::size_t i = 0; i < scene.layers.size(); ++i) {
+        if (!scene.layers[i].ifSurface() || isVeil(scene.layers[i])) continue;
+        const std::string suffix = scene.layers.size() > 1 ? " " + std::to_string(i) : "";
+        const int layer = static_cast<int>(i);
+        plan.passes.push_back({PassKind::kIllumination, "global light" + suffix, "isosurface_gather_light", layer});
+    }
+}
+
+}  // namespace radiata::plan

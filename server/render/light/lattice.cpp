@@ -1,0 +1,230 @@
+#include "render/light/lattice.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <span>
+
+#include "base/checked.h"
+#include "base/error.h"
+#include "gpu/device.h"
+#include "math/low_discrepancy.h"
+
+namespace radiata::render {
+namespace {
+
+double voxelsPerTexel(model::LatticeResolution resolution) {
+    return resolution == model::LatticeResolution::kEighth ? 2 : resolution == model::LatticeResolution::kOne ? 1 : 0.5;
+}
+
+glm::ivec3 latticeSize(const glm::ivec3& samples, model::LatticeResolution resolution) {
+    return glm::ivec3(glm::ceil(glm::dvec3(samples - 1) / voxelsPerTexel(resolution))) + 1;
+}
+
+std::uint64_t product(const glm::ivec3& v) {
+    return checkedMultiply(checkedMultiply(static_cast<std::uint64_t>(v.x), static_cast<std::uint64_t>(v.y), "lattice"),
+                           static_cast<std::uint64_t>(v.z), "lattice");
+}
+
+std::uint64_t payloadBytes(const model::Illumination& light) {
+    const auto count = static_cast<std::uint64_t>(light.payloadCount());
+    return light.storage == model::TexelStorage::kFloat32 ? 4 * count : 4 * ((count + 1) / 2);
+}
+
+/// What the estimates of irradiance depend on.
+bool sameLight(const model::Illumination& a, const model::Illumination& b) {
+    return a.sky == b.sky && a.suns == b.suns && a.lights == b.lights && a.environment == b.environment &&
+           a.rotation == b.rotation;
+}
+
+}  // namespace
+
+void LatticeRun::checkCancelled() const {
+    if (cancel != nullptr && *cancel) throw Error(Code::kCancelled, "nobody waits for this picture any more");
+}
+
+bool IlluminationLattice::sameTexels(const model::Illumination& a, const model::Illumination& b) {
+    return a.payload == b.payload && a.storage == b.storage && a.resolution == b.resolution && a.bounces == b.bounces &&
+           a.budget_mib == b.budget_mib && (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
+}
+
+IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<const store::VolumeDataset> volume,
+                                         const model::Illumination& light, bool projected)
+    : device_(device),
+      volume_(std::move(volume)),
+      light_(light),
+      projected_(projected),
+      size_(latticeSize(volume_->params().size, light.resolution)),
+      bricks_((size_ + 7) / 8),
+      pool_(device, product(bricks_), payloadBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
+    params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
+    lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
+    if (product(size_) >> 32 != 0) {
+        throw Error(Code::kUnsupported, "an illumination lattice of " + std::to_string(product(size_)) +
+                                            " texels; 2^32 is the limit: choose a lower resolution");
+    }
+    shader::LatticeParams& lattice = shared();
+    lattice = {};
+    const shader::VolumeParams& grid = volume_->params();
+    lattice.volume = grid;
+    const glm::dmat3 to_grid(glm::dvec3(grid.grid_x), glm::dvec3(grid.grid_y), glm::dvec3(grid.grid_z));
+    const glm::dmat3 to_mm = glm::inverse(to_grid);
+    lattice.mm_x = glm::vec3(to_mm[0]);
+    lattice.mm_y = glm::vec3(to_mm[1]);
+    lattice.mm_z = glm::vec3(to_mm[2]);
+    lattice.value_step = 1e-5F * (volume_->valueMax() - volume_->valueMin());
+    lattice.size = size_;
+    lattice.brick_size = bricks_;
+    lattice.voxels_per_texel = static_cast<float>(voxelsPerTexel(light.resolution));
+    lattice.bounces = static_cast<std::uint32_t>(light.bounces);
+    lattice.stride = static_cast<std::uint32_t>(light.payloadCount());
+    for (std::size_t k = 0; k < light.orders.size(); ++k)
+        lattice.orders |= static_cast<std::uint32_t>(light.orders[k]) << (4 * k);
+    lattice.projected = projected ? 1 : 0;
+    refreshAddresses();
+}
+
+std::vector<std::uint32_t> IlluminationLattice::constants() const {
+    return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U,
+            light_.storage == model::TexelStorage::kFloat16 ? 1U : 0U};
+}
+
+void IlluminationLattice::refreshAddresses() {
+    shader::LatticeParams& lattice = shared();
+    const auto address = [](const gpu::Buffer& buffer) { return buffer ? buffer.address() : 0; };
+    lattice.index = pool_.index();
+    lattice.wanted = pool_.wanted();
+    lattice.coverage = address(pool_.coverage());
+    lattice.state = address(pool_.state());
+    lattice.payload = address(pool_.payload());
+    lattice.shown = address(pool_.shown());
+}
+
+void IlluminationLattice::update(const LatticeRun& run, const model::Illumination& light,
+                                 const std::shared_ptr<const model::EnvironmentMap>& map, const glm::vec3& albedo,
+                                 float isovalue) {
+    const bool new_light = !lit_ || !sameLight(light, light_) || map != map_;
+    const bool new_albedo = !lit_ || albedo != albedo_;
+    const bool irradiance = light.payload == model::TexelPayload::kIrradiance;
+    const bool drop = lit_ && ((new_light && irradiance) || (projected_ && isovalue != isovalue_));
+    const bool harder = light.relative_error < light_.relative_error || light.samples_max > light_.samples_max;
+    light_ = light;
+    map_ = map;
+    albedo_ = albedo;
+    isovalue_ = isovalue;
+    shader::LatticeParams& lattice = shared();
+    lattice.albedo = albedo;
+    lattice.isovalue = isovalue;
+    if (new_light) {
+        light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_);
+        lattice.light = light_buffers_->params();
+        lattice.irradiance_floor = std::max(0.01F * light_buffers_->openIrradiance(), 1e-20F);
+    }
+    if (drop || harder) {
+        requested_.clear();
+        active_.clear();
+        requested_for_ = 0;
+    }
+    if (drop) {
+        pool_.clear();
+        refreshAddresses();
+    } else if (lit_ && (new_light || new_albedo)) {
+        relight(run);
+    }
+    lit_ = true;
+}
+
+void IlluminationLattice::relight(const LatticeRun& run) {
+    struct Push {
+        std::uint64_t lattice;
+        std::uint32_t places;
+    };
+    const std::uint32_t places = pool_.slotsUsed() * shader::TEXELS_PER_BRICK;
+    if (places == 0) return;
+    run.recorder.dispatch(run.pipeline("isosurface_relight", constants()), "illumination relight", (places + 63) / 64, 1, 1,
+                          Push{params_.address(), places});
+    run.recorder.submitAndWait();
+}
+
+void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t number) {
+    struct Push {
+        std::uint64_t frame, layer, surface, lattice;
+    };
+    run.checkCancelled();
+    requested_for_ = 0;
+    const Push push{pixels.frame, pixels.layer, pixels.surface, params_.address()};
+    shader::LatticeParams& lattice = shared();
+    lattice.request = pool_.beginRequest();
+    const auto interpolation = static_cast<std::uint32_t>(light_.interpolation);
+    const std::uint32_t groups = (pixels.pixels + 63) / 64;
+    run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 1U}), "illumination request", groups,
+                          1, 1, push);
+    run.recorder.submitAndWait();
+    left_out_ = pool_.admit(run.recorder);
+    refreshAddresses();
+    requested_.clear();
+    active_.clear();
+    requested_for_ = number;
+    if (pool_.slotsUsed() == 0) return;
+    run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 0);
+    run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,
+                          1, 1, push);
+    list(run);
+}
+
+void IlluminationLattice::requestAll(const LatticeRun& run) {
+    shared().request = pool_.beginRequest();
+    run.recorder.submitAndWait();
+    pool_.wantAll();
+    left_out_ = pool_.admit(run.recorder);
+    refreshAddresses();
+    if (left_out_ > 0) {
+        throw Error(Code::kResourceExhausted, "the whole illumination lattice needs " +
+                                                  std::to_string(product(bricks_) * pool_.brickBytes() / 1048576 + 1) +
+                                                  " MiB, the budget is " +
+                                                  std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
+    }
+    run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 1);
+    list(run);
+}
+
+/// Reads the texels with coverage back.
+void IlluminationLattice::list(const LatticeRun& run) {
+    struct Push {
+        std::uint64_t lattice, items, bricks;
+        std::uint32_t places, capacity;
+    };
+    const std::uint32_t places = pool_.slotsUsed() * shader::TEXELS_PER_BRICK;
+    const std::uint64_t bytes = 4 + std::uint64_t{places} * sizeof(shader::TexelItem);
+    if (!items_ || items_.sizeBytes() < bytes) {
+        items_ = gpu::Buffer(device_, bytes + bytes / 4, gpu::Memory::kReadback, "texels wanted");
+    }
+    *items_.as<std::uint32_t>().data() = 0;
+    run.recorder.dispatch(run.pipeline("isosurface_collect_texels", {64U}), "illumination request", (places + 63) / 64, 1, 1,
+                          Push{params_.address(), items_.address(), pool_.slotBricks().address(), places, places});
+    run.recorder.submitAndWait();
+    const std::uint32_t count = *items_.as<std::uint32_t>().data();
+    std::vector<shader::TexelItem> items(count);
+    std::memcpy(items.data(), items_.mapped().data() + 4, count * sizeof(shader::TexelItem));
+    // The device lists them in any order; the number of a texel makes it one.
+    std::ranges::sort(items, [](const shader::TexelItem& a, const shader::TexelItem& b) {
+        return a.coverage != b.coverage ? a.coverage > b.coverage : a.texel < b.texel;
+    });
+    requested_.resize(count);
+    for (std::uint32_t i = 0; i < count; ++i) requested_[i] = {items[i], i, 0};
+    seconds_ = 0;
+    samples_ = 0;
+    stage_paths_ = kFirstStageSamples / kReplicates;
+    cursor_ = 0;
+    active_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        if (!isDone(items[i].state)) active_.push_back(i);
+    }
+    const std::uint64_t sum_bytes = std::max<std::uint64_t>(requested_.size(), 1) * (shared().stride + kReplicates) * 4;
+    if (!active_.empty() && (!sums_ || sums_.sizeBytes() < sum_bytes)) {
+        sums_ = gpu::Buffer(device_, sum_bytes + sum_bytes / 4, gpu::Memory::kDevice, "sums of texels");
+    }
+}
+
+}  // namespace radiata::render

@@ -1,0 +1,200 @@
+// Lighting of requested texels in stages that double, and what is known of their error.
+#include <algorithm>
+#include <cstring>
+#include <limits>
+#include <span>
+
+#include <glm/gtc/packing.hpp>
+
+#include "gpu/device.h"
+#include "math/low_discrepancy.h"
+#include "render/light/lattice.h"
+
+namespace radiata::render {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Paths of one replicate in one dispatch, at most: a submission stays short for texels of many samples too.
+constexpr std::uint32_t kPathsPerDispatch = 16;
+constexpr double kSubmissionMs = 20;
+/// Seed of every lattice: equal requests give equal texels.
+constexpr std::uint32_t kSeed = 0x57a7e115U;
+
+std::uint32_t stageOf(std::uint32_t state) { return (state >> shader::TEXEL_STAGE_SHIFT) & shader::TEXEL_STAGE_MASK; }
+
+}  // namespace
+
+/// Samples that a texel's payload is the mean of.
+std::uint32_t texelSamples(std::uint32_t state) {
+    const std::uint32_t stage = stageOf(state);
+    return stage == 0 || (state & shader::TEXEL_EMPTY) != 0 ? 0 : 1U << (stage - 1);
+}
+
+float texelError(std::uint32_t state) { return glm::unpackHalf1x16(static_cast<std::uint16_t>(state & 0xffffU)); }
+
+bool IlluminationLattice::isDone(std::uint32_t state) const {
+    if ((state & shader::TEXEL_EMPTY) != 0) return true;
+    const std::uint32_t samples = texelSamples(state);
+    return samples >= static_cast<std::uint32_t>(light_.samples_max) ||
+           (samples >= kLeastSamples && texelError(state) <= light_.relative_error);
+}
+
+/// One stage's paths for texels [begin, end) of active_, in bounded dispatches.
+void IlluminationLattice::lightBatch(const LatticeRun& run, std::size_t begin, std::size_t end) {
+    struct Push {
+        std::uint64_t lattice, items, sums;
+        std::uint32_t first_item, item_end, first_path, path_end, stage_end, seed;
+    };
+    const auto count = static_cast<std::uint32_t>(end - begin);
+    auto* items = reinterpret_cast<shader::TexelItem*>(items_.mapped().data() + 4);
+    std::uint32_t first = stage_paths_;
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const Texel& texel = requested_[active_[begin + i]];
+        items[i] = texel.item;
+        items[i].coverage = texel.row;
+        items[i].state = texel.paths;
+        first = std::min(first, texel.paths);
+    }
+    const gpu::ComputePipeline& pipeline = run.pipeline("isosurface_light_texels", constants());
+    for (std::uint32_t path = first; path < stage_paths_;) {
+        run.checkCancelled();
+        const std::uint32_t path_end = std::min(stage_paths_, path + kPathsPerDispatch);
+        run.recorder.dispatch(
+            pipeline, "illumination texels", (count + 63) / 64, 1, 1,
+            Push{params_.address(), items_.address() + 4, sums_.address(), 0, count, path, path_end, stage_paths_, kSeed});
+        const auto before = Clock::now();
+        run.recorder.submitAndWait();
+        const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
+        seconds_ += took_ms / 1000;
+        // As if all texels had the paths of a full dispatch.
+        const double full = took_ms * kPathsPerDispatch / (path_end - path);
+        const double wished = count * kSubmissionMs / std::max(full, 1e-3);
+        items_per_batch_ = std::clamp(wished, 0.5 * items_per_batch_, 2 * items_per_batch_);
+        items_per_batch_ = std::clamp(items_per_batch_, 64.0, 65536.0);
+        path = path_end;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+        Texel& texel = requested_[active_[begin + i]];
+        samples_ += std::uint64_t{stage_paths_ - texel.paths} * kReplicates;
+        texel.item.state = items[i].state;
+        texel.paths = stage_paths_;
+    }
+}
+
+bool IlluminationLattice::refine(const LatticeRun& run, std::optional<Clock::time_point> until) {
+    while (!active_.empty()) {
+        for (; cursor_ < active_.size();) {
+            if (until && Clock::now() >= *until) return false;
+            // Texels that have as many samples from an earlier request wait for the stage that gives them more.
+            std::size_t end = cursor_;
+            const auto batch = static_cast<std::size_t>(
+                std::max(items_per_batch_ * kPathsPerDispatch / std::clamp(stage_paths_, 1U, kPathsPerDispatch), 64.0));
+            const auto waits = [&](std::size_t i) {
+                return texelSamples(requested_[active_[i]].item.state) >= stage_paths_ * kReplicates;
+            };
+            while (cursor_ < active_.size() && waits(cursor_)) ++cursor_;
+            for (end = cursor_; end < active_.size() && end - cursor_ < batch && !waits(end);) ++end;
+            if (cursor_ == end) continue;
+            lightBatch(run, cursor_, end);
+            cursor_ = end;
+        }
+        std::erase_if(active_, [&](std::uint32_t i) { return isDone(requested_[i].item.state); });
+        std::ranges::stable_sort(active_, [&](std::uint32_t a, std::uint32_t b) {
+            return texelError(requested_[a].item.state) > texelError(requested_[b].item.state);
+        });
+        cursor_ = 0;
+        stage_paths_ *= 2;
+    }
+    return true;
+}
+
+void IlluminationLattice::lightFirst(const LatticeRun& run) {
+    if (active_.empty() || stage_paths_ > kFirstStageSamples / kReplicates) return;
+    const std::uint32_t first = stage_paths_;
+    // refine() sorts by error after a stage; the first one alone ends here.
+    while (cursor_ < active_.size() && stage_paths_ == first) {
+        const auto waits = [&](std::size_t i) { return texelSamples(requested_[active_[i]].item.state) > 0; };
+        while (cursor_ < active_.size() && waits(cursor_)) ++cursor_;
+        std::size_t end = cursor_;
+        const auto batch = static_cast<std::size_t>(items_per_batch_ * kPathsPerDispatch);
+        while (end < active_.size() && end - cursor_ < batch && !waits(end)) ++end;
+        if (end > cursor_) lightBatch(run, cursor_, end);
+        cursor_ = end;
+    }
+}
+
+model::IlluminationInfo IlluminationLattice::info() const {
+    model::IlluminationInfo info;
+    info.texels =
+        static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y) * static_cast<std::uint64_t>(size_.z);
+    info.texels_needed = requested_.size();
+    info.bricks_left_out = left_out_;
+    info.seconds = seconds_;
+    info.samples = samples_;
+    info.bytes = pool_.bytes();
+    info.projected = projected_;
+    std::vector<float> errors;
+    for (const Texel& texel : requested_) {
+        info.texels_done += isDone(texel.item.state);
+        if (texelSamples(texel.item.state) > 0) errors.push_back(texelError(texel.item.state));
+    }
+    if (errors.empty()) return info;
+    for (const float error : errors) info.mean_error += static_cast<double>(error) / static_cast<double>(errors.size());
+    const auto at = errors.begin() + static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size() - 1));
+    std::ranges::nth_element(errors, at);
+    info.p95_error = *at;
+    return info;
+}
+
+void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pixels, std::uint64_t light_address,
+                                 const std::string& pass, bool settled) {
+    struct Push {
+        std::uint64_t frame, layer, surface, lattice, light, lacking;
+        float relative_error;
+        std::uint32_t samples_max, samples_least;
+    };
+    lacking_.as<std::uint32_t>()[0] = 0;
+    run.recorder.dispatch(
+        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation)}), pass,
+        (pixels.pixels + 63) / 64, 1, 1,
+        Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address(),
+             settled ? light_.relative_error : -1, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
+}
+
+std::optional<std::uint64_t> IlluminationLattice::placeOf(const glm::ivec3& texel) const {
+    const glm::ivec3 brick = texel / 8, at = texel % 8;
+    const std::uint32_t slot = pool_.slotOf(static_cast<std::uint32_t>(brick.x + bricks_.x * (brick.y + bricks_.y * brick.z)));
+    if (slot == 0) return std::nullopt;
+    return std::uint64_t{slot - 1} * shader::TEXELS_PER_BRICK + static_cast<std::uint64_t>(at.x + 8 * (at.y + 8 * at.z));
+}
+
+double IlluminationLattice::relativeError(gpu::Device& device, const glm::ivec3& texel) const {
+    std::uint32_t state = 0;
+    if (const auto place = placeOf(texel)) {
+        gpu::download(device, pool_.state(), *place * 4, std::as_writable_bytes(std::span(&state, 1)));
+    }
+    return texelSamples(state) > 0 ? texelError(state) : std::numeric_limits<double>::infinity();
+}
+
+std::vector<float> IlluminationLattice::payload(gpu::Device& device, const glm::ivec3& texel) const {
+    const auto at = placeOf(texel);
+    if (!at) return {};
+    const std::uint64_t place = *at;
+    const std::size_t count = shared().stride;
+    std::uint32_t state = 0;
+    gpu::download(device, pool_.state(), place * 4, std::as_writable_bytes(std::span(&state, 1)));
+    if (texelSamples(state) == 0) return {};
+    std::vector<float> values(count);
+    if (light_.storage == model::TexelStorage::kFloat32) {
+        gpu::download(device, pool_.payload(), place * count * 4, std::as_writable_bytes(std::span(values)));
+        return values;
+    }
+    const std::size_t words = (count + 1) / 2;
+    std::vector<std::uint16_t> halves(2 * words);
+    gpu::download(device, pool_.payload(), place * words * 4, std::as_writable_bytes(std::span(halves)));
+    for (std::size_t i = 0; i < count; ++i) values[i] = glm::unpackHalf1x16(halves[i]);
+    return values;
+}
+
+}  // namespace radiata::render

@@ -1,0 +1,170 @@
+// Experiments about the error of the illumination lattice, against path tracing in double: wyman-fig6 (which texels light a
+// point), wyman-fig7 (convergence by payload), wyman-fig12 (resolution), illumination-pareto (time against error). Source:
+// Wyman et al. 2006.
+#include "build/folded_ball.h"
+#include "store/store.h"
+#include "tools/lab/experiments.h"
+#include "tools/lab/light_truth.h"
+
+namespace radiata::lab {
+namespace {
+
+constexpr float kIsovalue = 30;
+constexpr int kPixels = 300;
+
+/// A volume, a view of it and the truth about it.
+class Bench {
+public:
+    Bench(gpu::Device& device, const Options& options, const char* name, int volume = 64)
+        : store_(device, {}), renderer_(device, store_), image_(foldedBall(volume)) {
+        store_.add("ball", image_);
+        height_ = options.size > 0 ? options.size : 192;
+        report.experiment = name;
+        report.repeats = 1;
+        report.device = renderer_.deviceName();
+        report.scene = "folded ball of " + std::to_string(volume) + "^3 voxels, albedo 0.7, three bounces";
+        report.view = std::to_string(height_) + "x" + std::to_string(height_) + ", one sample per pixel";
+        report.notes.push_back("errors are root mean squares over " + std::to_string(kPixels) +
+                               " pixels against path tracing in double, relative to the mean, without the truth's own error");
+    }
+    model::FrameRequest request(LabSky sky) const { return litRequest(image_, "ball", kIsovalue, sky, height_); }
+    LightTruth truth(LabSky sky, int paths) { return lightTruth(renderer_, image_, request(sky), kPixels, paths); }
+    model::Frame draw(const model::FrameRequest& request) { return renderer_.renderAll(request); }
+    static model::Illumination& lightOf(model::FrameRequest& request) { return *request.scene.light.illumination; }
+
+    Report report;
+
+private:
+    store::Store store_;
+    render::Renderer renderer_;
+    model::ScalarImage image_;
+    int height_ = 0;
+};
+
+int pathsFor(LabSky sky) { return sky == LabSky::kEven ? 600 : sky == LabSky::kWideSun ? 1200 : 6000; }
+
+std::string percent(double value) { return shortNumber(100 * value) + " %"; }
+
+}  // namespace
+
+Report wymanFig6(gpu::Device& device, const Options& options) {
+    Bench bench(device, options, "wyman-fig6");
+    Table table{"error by texels that light a point", {"texels", "on their own level sets", "on the shown surface"}, {}};
+    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    double trilinear = 0, tricubic = 0;
+    for (const auto& [name, way] : {std::pair{"own isovalue", model::TexelInterpolation::kOwnIsovalue},
+                                    std::pair{"nearest", model::TexelInterpolation::kNearest},
+                                    std::pair{"trilinear", model::TexelInterpolation::kTrilinear},
+                                    std::pair{"tricubic", model::TexelInterpolation::kTricubic}}) {
+        std::vector<std::string> row{name};
+        for (const bool project : {false, true}) {
+            model::FrameRequest request = bench.request(LabSky::kWideSun);
+            Bench::lightOf(request).interpolation = way;
+            Bench::lightOf(request).project = project;
+            const double error = lightError(bench.draw(request), truth);
+            row.push_back(percent(error));
+            if (!project && way == model::TexelInterpolation::kTrilinear) trilinear = error;
+            if (!project && way == model::TexelInterpolation::kTricubic) tricubic = error;
+        }
+        table.rows.push_back(row);
+    }
+    bench.report.tables.push_back(table);
+    bench.report.checks.push_back({"tricubic / trilinear, own level sets", tricubic / trilinear, ">=", 0.95});
+    bench.report.notes.push_back("the paper finds tricubic interpolation equal or worse");
+    return bench.report;
+}
+
+Report wymanFig7(gpu::Device& device, const Options& options) {
+    Bench bench(device, options, "wyman-fig7");
+    Table table{"error by samples per texel", {"samples", "irradiance", "transfer (5, 3, 2, 2)"}, {}};
+    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    Plot plot{"samples against error",
+              "samples per texel",
+              "relative error",
+              true,
+              true,
+              false,
+              {{"irradiance", {}, true}, {"transfer", {}, true}}};
+    for (int samples = 4; samples <= 1024; samples *= 4) {
+        std::vector<std::string> row{std::to_string(samples)};
+        for (const bool transfer : {false, true}) {
+            model::FrameRequest request = bench.request(LabSky::kWideSun);
+            model::Illumination& light = Bench::lightOf(request);
+            light.payload = transfer ? model::TexelPayload::kTransfer : model::TexelPayload::kIrradiance;
+            light.relative_error = 0.001F;
+            light.samples_max = samples;
+            light.budget_mib = 64 + static_cast<float>(samples) / 1024;  // texels of their own for each number of samples
+            const double error = lightError(bench.draw(request), truth);
+            row.push_back(percent(error));
+            plot.curves[transfer ? 1 : 0].points.push_back({static_cast<double>(samples), error, ""});
+        }
+        table.rows.push_back(row);
+    }
+    bench.report.tables.push_back(table);
+    bench.report.plots.push_back(plot);
+    bench.report.notes.push_back("transfer blurs the sun, so its error stays where its few bands end");
+    return bench.report;
+}
+
+Report wymanFig12(gpu::Device& device, const Options& options) {
+    Bench bench(device, options, "wyman-fig12");
+    Table table{"error by resolution of the lattice",
+                {"sky", "texels per voxel", "own level sets", "texels", "shown surface", "ratio"},
+                {}};
+    for (const LabSky sky : {LabSky::kEven, LabSky::kWideSun, LabSky::kSun}) {
+        const LightTruth truth = bench.truth(sky, pathsFor(sky));
+        for (const auto& [name, resolution] :
+             {std::pair{"1/8", model::LatticeResolution::kEighth}, std::pair{"1", model::LatticeResolution::kOne},
+              std::pair{"8", model::LatticeResolution::kEight}}) {
+            model::FrameRequest request = bench.request(sky);
+            Bench::lightOf(request).resolution = resolution;
+            Bench::lightOf(request).relative_error = 0.01F;
+            const double rest = lightError(bench.draw(request), truth);
+            Bench::lightOf(request).project = false;
+            const model::Frame own_frame = bench.draw(request);
+            const double own = lightError(own_frame, truth);
+            table.rows.push_back({lab::name(sky), name, percent(own),
+                                  std::to_string(own_frame.info.illumination->texels_needed), percent(rest),
+                                  shortNumber(rest / own)});
+            if (resolution == model::LatticeResolution::kOne && sky != LabSky::kEven) {
+                bench.report.checks.push_back({"shown surface / own level sets, " + lab::name(sky), rest / own, "<=", 0.65});
+            }
+        }
+    }
+    bench.report.tables.push_back(table);
+    return bench.report;
+}
+
+Report illuminationPareto(gpu::Device& device, const Options& options) {
+    Bench bench(device, options, "illumination-pareto");
+    Table table{
+        "time against error", {"texels", "wanted error", "seconds", "error", "standard error", "texels of lattice"}, {}};
+    Plot plot{"time against error", "seconds for texels", "relative error", true, true, true, {}};
+    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    for (const auto& [name, payload, project] :
+         {std::tuple{"irradiance, own level sets", model::TexelPayload::kIrradiance, false},
+          std::tuple{"irradiance, shown surface", model::TexelPayload::kIrradiance, true},
+          std::tuple{"transfer, shown surface", model::TexelPayload::kTransfer, true}}) {
+        Curve curve{name, {}, true};
+        for (const float wanted : {0.3F, 0.1F, 0.05F, 0.02F}) {
+            model::FrameRequest request = bench.request(LabSky::kWideSun);
+            model::Illumination& light = Bench::lightOf(request);
+            light.payload = payload;
+            light.project = project;
+            light.relative_error = wanted;
+            light.budget_mib = 64 + wanted;  // texels of their own
+            const model::Frame frame = bench.draw(request);
+            const model::IlluminationInfo& info = *frame.info.illumination;
+            const double error = lightError(frame, truth);
+            curve.points.push_back({info.seconds, error, ""});
+            table.rows.push_back({name, percent(wanted), shortNumber(info.seconds), percent(error), percent(info.mean_error),
+                                  percent(static_cast<double>(info.texels_needed) / static_cast<double>(info.texels))});
+        }
+        plot.curves.push_back(curve);
+    }
+    bench.report.tables.push_back(table);
+    bench.report.plots.push_back(plot);
+    return bench.report;
+}
+
+}  // namespace radiata::lab

@@ -1,0 +1,103 @@
+// The illumination lattice of a volume: texels in bricks of 8^3, and the light that they are lit by.
+#ifndef RADIATA_SHARED_LATTICE
+#define RADIATA_SHARED_LATTICE
+#include "shaders/shared/isosurface.glsl"
+SHADER_NAMESPACE_BEGIN
+
+// A texel's state: its relative standard error as a half, the number of doublings of its samples plus one (0: it has none), and whether
+// there is no surface through it (the smoothed gradient vanishes).
+#ifdef __cplusplus
+constexpr uint TEXEL_BRICK_SHIFT = 3;
+constexpr uint TEXELS_PER_BRICK = 512;
+constexpr uint TEXEL_STAGE_SHIFT = 16;
+constexpr uint TEXEL_STAGE_MASK = 0xffu;
+constexpr uint TEXEL_EMPTY = 1u << 24u;
+constexpr uint LATTICE_REPLICATES = 4;
+constexpr uint LATTICE_COVERAGE_ONE = 256;
+#else
+#define TEXEL_BRICK_SHIFT 3
+#define TEXELS_PER_BRICK 512u
+#define TEXEL_STAGE_SHIFT 16u
+#define TEXEL_STAGE_MASK 0xffu
+#define TEXEL_EMPTY (1u << 24u)
+#define LATTICE_REPLICATES 4u
+#define LATTICE_COVERAGE_ONE 256.0
+#endif
+
+// A distant disc of even radiance. Directions are world axes.
+struct SunParams {
+    vec3 direction;
+    float cosine;     // of its angular radius
+    vec3 irradiance;  // on a surface that faces it
+    float pad;
+};
+STATIC_SIZE(SunParams, 32);
+
+struct SphereLightParams {
+    vec3 position;    // grid coordinates
+    float radius_mm;  // 0: a point
+    vec3 intensity;
+    float pad;
+};
+STATIC_SIZE(SphereLightParams, 32);
+
+struct LatticeLight {
+    vec3 radiance;   // of the sky: radiance + gradient * dot(direction, up), unless there is a map
+    uint map_width;  // 0: no map
+    vec3 gradient;
+    uint map_height;
+    vec3 up;
+    float map_scale;
+    vec3 map_x;  // images of the world's axes in those of the map
+    vec3 map_y;
+    vec3 map_z;
+    uint sun_count;
+    uint sphere_count;
+    uint pad;
+    uint64_t map;        // vec3[map_width * map_height]
+    uint64_t suns;       // SunParams[]
+    uint64_t spheres;    // SphereLightParams[]
+    uint64_t harmonics;  // vec3[25], of a lattice with transfer
+};
+STATIC_SIZE(LatticeLight, 128);
+
+// Texel (i, j, k) lies at (i, j, k) * voxels_per_texel in grid coordinates, or at the volume's last samples if that is beyond them.
+struct LatticeParams {
+    VolumeParams volume;
+    vec3 mm_x;  // world vector, mm, of one grid unit along i, j, k
+    vec3 mm_y;
+    vec3 mm_z;
+    float value_step;  // a hundred-thousandth of the range of values: a level set is looked for that much above its texel's value
+    ivec3 size;        // texels
+    ivec3 brick_size;  // bricks
+    float voxels_per_texel;
+    uint bounces;
+    uint stride;   // numbers in a texel's payload
+    uint orders;   // of a lattice with transfer: 4 bits for each number of bounces
+    float isovalue;     // of the shown surface
+    uint projected;     // texels are lit on the shown surface, not on their own level sets
+    vec3 albedo;
+    float irradiance_floor;  // relative errors are of no less than this irradiance
+    uint64_t index;     // uint[bricks]: slot plus one, or 0
+    uint64_t wanted;    // uint[bricks]: number of the latest request that needs it
+    uint64_t coverage;  // uint[slots * 512]: LATTICE_COVERAGE_ONE times the pixels that need it
+    uint64_t state;     // uint[slots * 512]
+    uint64_t payload;   // float or half [slots * 512 * stride]
+    uint64_t shown;     // uvec2[slots * 512]: radiance of a white surface as three halves, and the normal in 16 bits
+    LatticeLight light;
+    uint request;       // number of this request
+    uint interpolation; // as model::TexelInterpolation
+};
+STATIC_SIZE(LatticeParams, 392);
+
+// A texel that pixels need.
+struct TexelItem {
+    uint place;    // slot * 512 + place in the brick
+    uint texel;    // its number in the whole lattice, i fastest
+    uint coverage;
+    uint state;
+};
+STATIC_SIZE(TexelItem, 16);
+
+SHADER_NAMESPACE_END
+#endif
