@@ -175,21 +175,6 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
 }
 
-void setGlyphLayer(v1::Layer& layer, const RequestOptions& options) {
-    if (options.opacity) layer.set_opacity(*options.opacity);
-    if (options.no_casting) layer.set_casts_shadows(false);
-    v1::GlyphLayer& glyphs = glyphsOf(layer, options.tensors);
-    glyphs.set_dataset_id(options.dataset);
-    setSelection(*glyphs.mutable_selection(), options);
-    glyphs.mutable_scale()->set_mode(options.scale);
-    if (options.factor) glyphs.mutable_scale()->set_factor(*options.factor);
-    if (options.lmax) glyphs.set_lmax(*options.lmax);
-    glyphs.set_negative_lobes(options.lobes);
-    setColour(glyphs, options);
-    setUncertainty(glyphs, options.uncertainty);
-    if (options.isotropic_part) glyphs.set_isotropic_part(*options.isotropic_part);
-}
-
 /// What a default camera has to show: the first isosurface's volume seen along the plane's normal, or else the glyphs.
 v1::FitCameraRequest cameraWish(const v1::Scene& scene, v1::Plane plane) {
     v1::FitCameraRequest fit;
