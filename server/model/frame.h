@@ -39,6 +39,7 @@ struct Quality {
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
     FibletPipeline fiblet_pipeline = FibletPipeline::kAtomic;
     FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
+    std::optional<Camera> frozen_culling;  ///< fibres are drawn that two phases see from here, in a picture of the same size
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
 };

@@ -19,6 +19,7 @@ layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
+#include "shaders/frame/fibre_depth.glsl"
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
@@ -59,6 +60,15 @@ void main() {
         vec3 lit;
         if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
         else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
+            const float size_mm = pixelSize(frame, ray.direction, surface.depth);
+            if (kFibreOcclusion && look.occlusion_px > 0.0) {
+                dimmed *= openness(push.surface, frame, look.occlusion_px, at, surface.depth, size_mm);
+            }
+            if (kFibreHalos && look.halo_px > 0.0 && inHalo(push.surface, frame, look.halo_px, at, surface.depth, size_mm)) {
+                dimmed = 0.0;
+            }
+        }
         radiance = mix(radiance, dimmed * lit, look.opacity);
     }
     if (kMedia) {

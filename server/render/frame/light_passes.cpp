@@ -19,8 +19,15 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
     const Target::Impl& target = run.target;
     const plan::VisibilityPlan& visibility = run.list.plan->visibility;
     const bool media = run.list.plan->usesUncertainty();
-    std::vector<std::uint32_t> constants{PassRun::kGroup, run.sample == 0 ? 1U : 0U,  run.list.plan->colour_modes,
-                                         media ? 1U : 0U, run.list.plan->layer_kinds, run.list.plan->fibre_colours};
+    std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                         run.sample == 0 ? 1U : 0U,
+                                         run.list.plan->colour_modes,
+                                         media ? 1U : 0U,
+                                         run.list.plan->layer_kinds,
+                                         run.list.plan->fibre_colours,
+                                         0U,
+                                         run.list.plan->fibre_occlusion ? 1U : 0U,
+                                         run.list.plan->fibre_halos ? 1U : 0U};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
