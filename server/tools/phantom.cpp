@@ -12,9 +12,11 @@
 
 #include "base/error.h"
 #include "build/phantom.h"
+#include "build/phantom_tracts.h"
 #include "build/stiffness_field.h"
 #include "io/nifti_write.h"
 #include "io/sh_write.h"
+#include "io/tractogram.h"
 #include "math/sh_convention.h"
 
 namespace {
@@ -24,7 +26,7 @@ using radiata::Error;
 using radiata::Phantom;
 
 struct Files {
-    std::filesystem::path image, labels, bundles;
+    std::filesystem::path image, labels, bundles, tracts;
 };
 
 radiata::io::Volume labelVolume(const Phantom& phantom) {
@@ -76,14 +78,23 @@ void checkNiftiName(const std::filesystem::path& path) {
     }
 }
 
-void make(const radiata::PhantomOptions& options, const Files& files) {
+void writeTracts(const Phantom& phantom, const radiata::PhantomTractOptions& options, const std::filesystem::path& path) {
+    radiata::io::writeTractogram(*radiata::phantomTracts(phantom, options), path);
+    std::printf("%s: %llu streamlines, step %.3g mm, in groups by bundle, seed %llu\n", path.c_str(),
+                static_cast<unsigned long long>(options.fibres), options.step_mm,
+                static_cast<unsigned long long>(phantom.options().seed));
+}
+
+void make(const radiata::PhantomOptions& options, const radiata::PhantomTractOptions& tracts, const Files& files) {
     checkNiftiName(files.image);
+    if (!files.tracts.empty()) radiata::io::requireWritableName(files.tracts);
     if (!files.labels.empty()) checkNiftiName(files.labels);
     const Phantom phantom(options);
     const radiata::model::ShImage image = phantom.shImage();
     radiata::io::writeNifti(radiata::io::shVolume(image, radiata::ShConvention::kTournier07), files.image);
     if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
     if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
+    if (!files.tracts.empty()) writeTracts(phantom, tracts, files.tracts);
     std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",
                 files.image.c_str(), image.size.x, image.size.y, image.size.z, image.voxel_to_world[0][0], image.voxels.size(),
                 image.layout.lmax, static_cast<unsigned long long>(options.seed));
@@ -94,6 +105,7 @@ void make(const radiata::PhantomOptions& options, const Files& files) {
 int main(int argc, char** argv) {
     CLI::App app("Makes a brain-like test image of known fibre bundles from a seed.", "radiata-phantom");
     radiata::PhantomOptions options;
+    radiata::PhantomTractOptions tracts;
     Files files;
     app.add_option("output", files.image, "FOD image to write, .nii or .nii.gz")->required();
     app.add_option("--seed", options.seed, "same seed, same bytes")->capture_default_str()->check(CLI::NonNegativeNumber);
@@ -114,13 +126,17 @@ int main(int argc, char** argv) {
         ->excludes(brick);
     app.add_option("--labels", files.labels, "write the id of each voxel's strongest bundle, .nii or .nii.gz")->excludes(brick);
     app.add_option("--bundles", files.bundles, "write ids and names of the bundles as JSON")->excludes(brick);
+    auto* lines = app.add_option("--tracts", files.tracts, "write streamlines along the bundles, .trx (with groups) or .tck")
+                      ->excludes(brick);
+    app.add_option("--fibres", tracts.fibres, "how many streamlines")->capture_default_str()->needs(lines);
+    app.add_option("--step", tracts.step_mm, "distance of their points in mm, 0.01 to 10")->capture_default_str()->needs(lines);
     CLI11_PARSE(app, argc, argv);
     try {
         if (stiffness) {
             checkNiftiName(files.image);
             makeStiffness({options.seed, size->count() > 0 ? options.size : radiata::StiffnessOptions{}.size}, files);
         } else {
-            make(options, files);
+            make(options, tracts, files);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "radiata-phantom: %s\n", error.what());
