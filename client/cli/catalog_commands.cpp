@@ -61,12 +61,14 @@ void list(const Connection& connection, const Options& options) {
     if (options.json) return print(response);
     std::vector<Row> rows;
     for (const v1::Dataset& entry : response.datasets()) {
-        const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
-        rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())), sizeText(entry),
-                        scalar ? "" : std::to_string(entry.lmax()), scalar ? "" : std::to_string(entry.glyph_count()),
+        const bool tracts = entry.kind() == v1::DATASET_KIND_TRACTOGRAM;
+        const bool scalar = tracts || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
+        rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
+                        tracts ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
+                        scalar ? "" : std::to_string(entry.glyph_count()), tracts ? std::to_string(entry.fibres()) : "",
                         scalar ? "" : residence(entry)});
     }
-    print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "GPU memory"}, rows));
+    print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "fibres", "GPU memory"}, rows));
 }
 
 void addGlyphRows(const v1::Dataset& entry, std::vector<Row>& rows) {
@@ -77,7 +79,33 @@ void addGlyphRows(const v1::Dataset& entry, std::vector<Row>& rows) {
     rows.push_back({"largest amplitude", std::to_string(entry.amplitude_max())});
 }
 
+template <typename Names>
+std::string joined(const Names& names) {
+    std::string text;
+    for (const auto& name : names) text += (text.empty() ? "" : ", ") + name;
+    return text.empty() ? "none" : text;
+}
+
+std::string describeTracts(const v1::Dataset& entry) {
+    std::vector<std::string> groups;
+    for (const v1::FibreGroupSize& group : entry.fibre_groups()) {
+        groups.push_back(group.name() + " (" + std::to_string(group.fibres()) + ")");
+    }
+    return formatTable(
+        {"dataset", entry.id()},
+        {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
+         {"fibres", std::to_string(entry.fibres())},
+         {"points", std::to_string(entry.points())},
+         {"error um", formatNumber(entry.error_mean_um(), 2) + " mean, " + formatNumber(entry.error_max_um(), 2) + " at most"},
+         {"groups", joined(groups)},
+         {"columns per fibre", joined(entry.fibre_columns())},
+         {"columns per vertex", joined(entry.vertex_columns())},
+         {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
+         {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
+}
+
 std::string describe(const v1::Dataset& entry) {
+    if (entry.kind() == v1::DATASET_KIND_TRACTOGRAM) return describeTracts(entry);
     const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
     std::vector<Row> rows = {
         {"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},

@@ -17,4 +17,7 @@ void addOrbitCommand(CLI::App& app, const ConnectionOptions& connection);
 /// pick: what lies under a pixel.
 void addPickCommand(CLI::App& app, const ConnectionOptions& connection);
 
+/// select: counts, names or exports fibres of a tractogram.
+void addSelectCommand(CLI::App& app, const ConnectionOptions& connection);
+
 }  // namespace radiata::client

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "common/camera_json.h"
 #include "common/client_error.h"
 #include "common/enum_words.h"
 
@@ -25,9 +26,10 @@ void addCut(v1::TractogramLayer& layer, const double* point, const double* norma
 
 bool anyOption(const FibreOptions& options) {
     return !options.colour.empty() || !options.column.empty() || !options.map.empty() || !options.range.empty() ||
-           !options.uniform.empty() || options.line_width || options.tube_radius_mm || !options.slab.empty() ||
-           !options.cuts.empty() || !options.groups.empty() || !options.fibres.empty() || !options.length.empty() ||
-           !options.select_groups.empty() || !options.select_fibres.empty() || options.hide_unselected;
+           !options.uniform.empty() || options.line_width || options.tube_radius_mm || options.occlusion_px ||
+           options.halo_px || !options.slab.empty() || !options.cuts.empty() || !options.groups.empty() ||
+           !options.fibres.empty() || !options.length.empty() || !options.select_groups.empty() ||
+           !options.select_fibres.empty() || options.hide_unselected;
 }
 
 template <typename Message>
@@ -66,6 +68,8 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
     setColour(*layer.mutable_colour(), options);
     if (options.line_width) layer.set_line_width_px(*options.line_width);
     if (options.tube_radius_mm) layer.set_tube_radius_mm(*options.tube_radius_mm);
+    if (options.occlusion_px) layer.set_occlusion_px(*options.occlusion_px);
+    if (options.halo_px) layer.set_halo_px(*options.halo_px);
     if (!options.slab.empty()) {
         const double* slab = options.slab.data();
         addCut(layer, slab, slab + 3, 1, 0.5 * slab[6]);
@@ -111,6 +115,9 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--line-width", options.line_width, "Pixels across a line, 1 to 31 (default 1)");
     app.add_option("--tubes", options.tube_radius_mm,
                    "Draw fibres as tubes of this radius, mm; with a selection only those that are selected");
+    app.add_option("--fibre-occlusion", options.occlusion_px,
+                   "Ambient occlusion of fibres in screen space: radius in pixels, up to 128");
+    app.add_option("--halos", options.halo_px, "Dark borders around nearer fibres: width in pixels, up to 8");
     app.add_option("--fibre-slab", options.slab, "Show what lies in a slab: point on its middle, normal (world), thickness, mm")
         ->delimiter(',')
         ->expected(7)
@@ -135,10 +142,14 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
         ->check(CLI::IsMember({"atomic"}));
     app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
         ->check(CLI::IsMember({"two-phase", "frustum", "none"}));
+    app.add_option("--freeze-culling", options.frozen,
+                   "Draw only what is seen of the fibres from this camera: a JSON file or JSON text")
+        ->type_name("FILE|JSON");
 }
 
 void setFibreQuality(v1::Quality& quality, const FibreOptions& options) {
     if (options.pipeline == "atomic") quality.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    if (!options.frozen.empty()) *quality.mutable_frozen_culling() = cameraFromOption(options.frozen);
     if (options.culling == "two-phase") quality.set_fiblet_culling(v1::FIBLET_CULLING_TWO_PHASE);
     if (options.culling == "frustum") quality.set_fiblet_culling(v1::FIBLET_CULLING_FRUSTUM);
     if (options.culling == "none") quality.set_fiblet_culling(v1::FIBLET_CULLING_NONE);

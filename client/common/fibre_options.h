@@ -20,7 +20,7 @@ struct FibreOptions {
     std::vector<float> range;  ///< two numbers
     std::vector<double> uniform;
     std::optional<std::uint32_t> line_width;
-    std::optional<float> tube_radius_mm;
+    std::optional<float> tube_radius_mm, occlusion_px, halo_px;
     std::vector<double> slab;               ///< point and normal, world, and thickness, mm
     std::vector<std::vector<double>> cuts;  ///< point and normal each
     std::vector<std::string> groups, select_groups;
@@ -28,6 +28,7 @@ struct FibreOptions {
     std::vector<float> length;  ///< mm: low, high
     bool hide_unselected = false;
     std::string pipeline, culling;
+    std::string frozen;  ///< camera: file or JSON
 };
 
 void addFibreOptions(CLI::App& app, FibreOptions& options);

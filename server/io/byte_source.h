@@ -52,6 +52,7 @@ public:
     std::uint64_t fileBytesRead() const;
     /// Offset of the next byte in the (decompressed) content.
     std::uint64_t position() const { return position_; }
+    const std::filesystem::path& path() const { return path_; }
     /// For messages: the file's name without folders, because messages may travel to clients.
     std::string name() const { return path_.filename().string(); }
 

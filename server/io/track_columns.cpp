@@ -127,7 +127,10 @@ public:
         own_vertex_ = header_.vertex_columns.size();
         own_fibre_ = header_.fibre_columns.size();
         for (const auto& file : files) {
-            const std::string suffix = file.extension().string(), name = file.stem().string();
+            const std::string suffix = file.extension().string(),
+                              prefix = header_.source.substr(0, header_.source.find('.')) + "_";
+            std::string name = file.stem().string();
+            if (name.size() > prefix.size() && name.starts_with(prefix)) name.erase(0, prefix.size());
             if (suffix == ".tsf") {
                 scalars_.push_back(std::make_unique<ScalarFile>(file));
                 header_.vertex_columns.push_back({name, 1});

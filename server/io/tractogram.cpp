@@ -20,27 +20,29 @@ std::string lowered(const std::filesystem::path& path) {
 
 bool ends(const std::string& name, std::string_view suffix) { return name.size() > suffix.size() && name.ends_with(suffix); }
 
-std::unique_ptr<model::TractogramSource> openByName(const std::filesystem::path& path) {
+std::unique_ptr<model::TractogramSource> openByName(const std::filesystem::path& path, VtkSpace vtk_space) {
     const std::string name = lowered(path);
     if (ends(name, ".tck") || ends(name, ".tck.gz")) return openTck(path);
     if (ends(name, ".trk") || ends(name, ".trk.gz")) return openTrk(path);
     if (ends(name, ".trx")) return openTrx(path);
     if (ends(name, ".tt") || ends(name, ".tt.gz")) return openTt(path);
+    if (ends(name, ".vtk")) return openVtkLines(path, vtk_space);
     throw Error(
         Code::kUnsupported,
-        path.filename().string() + ": the name ends as no tractogram's does; .tck, .trk, .trx, .tt and .gz of them are read");
+        path.filename().string() +
+            ": the name ends as no tractogram's does; .tck, .trk, .trx, .tt, .vtk, and .gz of the first two and .tt are read");
 }
 
 }  // namespace
 
 bool isTractogramName(const std::filesystem::path& path) {
     const std::string name = lowered(path);
-    constexpr std::string_view kSuffixes[] = {".tck", ".tck.gz", ".trk", ".trk.gz", ".trx", ".tt", ".tt.gz"};
+    constexpr std::string_view kSuffixes[] = {".tck", ".tck.gz", ".trk", ".trk.gz", ".trx", ".tt", ".tt.gz", ".vtk"};
     return std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](std::string_view suffix) { return ends(name, suffix); });
 }
 
 std::unique_ptr<model::TractogramSource> openTractogram(const std::filesystem::path& path, const TractOptions& options) {
-    return withColumns(openByName(path), options.columns);
+    return withColumns(openByName(path, options.vtk_space), options.columns);
 }
 
 void requireWritableName(const std::filesystem::path& path) {

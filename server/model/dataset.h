@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include <glm/glm.hpp>
 
@@ -14,6 +15,11 @@ namespace radiata::model {
 /// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms counts and bounds; the rest
 /// is about glyphs.
 enum class DatasetKind { kShImage, kScalarVolume, kTractogram };
+
+struct FibreGroupSize {
+    std::string name;
+    std::uint64_t fibres = 0;
+};
 
 struct DatasetInfo {
     std::string id;  ///< [a-z0-9_-], 1 to 64 characters
@@ -30,8 +36,11 @@ struct DatasetInfo {
     float amplitude_max = 0;
     float amplitude_typical = 0;  ///< three quarters of the glyphs stay below it; what global scaling divides by
     std::uint64_t gpu_bytes = 0;
-    std::uint64_t fibres = 0, points = 0;     ///< of a tractogram
-    float value_min = 0, value_max = 0;       ///< of a scalar volume's finite values
+    std::vector<FibreGroupSize> fibre_groups;                ///< of a tractogram that was read
+    std::vector<std::string> fibre_columns, vertex_columns;  ///< names
+    double error_mean_um = 0, error_max_um = 0;              ///< of drawn points against those of the file
+    std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram
+    float value_min = 0, value_max = 0;                      ///< of a scalar volume's finite values
     glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs; points of fibres
 };
 

@@ -115,6 +115,12 @@ void checkContent(const TractogramLayer& tracts, const std::string& where) {
     if (tracts.tube_radius_mm && !(*tracts.tube_radius_mm > 0 && *tracts.tube_radius_mm <= kTubeRadiusMaxMm)) {
         refuse(where + ".tube_radius_mm is " + std::to_string(*tracts.tube_radius_mm) + "; it must be above 0 and at most 100");
     }
+    if (tracts.occlusion_px && !(*tracts.occlusion_px > 0 && *tracts.occlusion_px <= kFibreOcclusionMaxPx)) {
+        refuse(where + ".occlusion_px is " + std::to_string(*tracts.occlusion_px) + "; it must be above 0 and at most 128");
+    }
+    if (tracts.halo_px && !(*tracts.halo_px > 0 && *tracts.halo_px <= kHaloMaxPx)) {
+        refuse(where + ".halo_px is " + std::to_string(*tracts.halo_px) + "; it must be above 0 and at most 8");
+    }
     if (tracts.cuts.size() > kFibreCutsMax) {
         refuse(where + " has " + std::to_string(tracts.cuts.size()) + " cuts, a slab being two; at most 6 are possible");
     }
@@ -256,6 +262,12 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     if (request.quality.jpeg_quality < 1 || request.quality.jpeg_quality > 100) {
         refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
+    }
+    if (request.quality.frozen_culling) {
+        cameraFrame(*request.quality.frozen_culling);
+        if (request.quality.fiblet_culling != FibletCulling::kTwoPhase) {
+            refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that");
+        }
     }
     checkTensorMarch(request.quality.tensor_march);
     checkIsosurfaces(request.quality.isosurface);

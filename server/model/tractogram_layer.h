@@ -57,6 +57,8 @@ struct TractogramLayer {
     FibreColour colour;
     int line_width_px = 1;
     std::optional<float> tube_radius_mm;  ///< capsules; none: lines
+    std::optional<float> occlusion_px;    ///< radius of ambient occlusion in screen space; none: there is none
+    std::optional<float> halo_px;         ///< width of dark borders around nearer fibres
     std::vector<FibreCut> cuts;
     FibreSet shown;                    ///< the others are left out
     std::optional<FibreSet> selected;  ///< stand out of those shown: with tube_radius_mm, these alone are tubes
@@ -72,5 +74,7 @@ enum class FibletCulling { kTwoPhase, kFrustum, kNone };
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;
 constexpr float kTubeRadiusMaxMm = 100;
+constexpr float kFibreOcclusionMaxPx = 128;
+constexpr float kHaloMaxPx = 8;
 
 }  // namespace radiata::model

@@ -105,7 +105,8 @@ struct FramePlan {
     std::uint32_t colour_modes = 0;
     /// And for which kinds of layers: bit 1 << index of model::Layer::content.
     std::uint32_t layer_kinds = 0;
-    std::uint32_t fibre_colours = 0;  ///< bit 1 << model::FibreColourMode for each that some layer has
+    bool fibre_occlusion = false, fibre_halos = false;  ///< some layer has them
+    std::uint32_t fibre_colours = 0;                    ///< bit 1 << model::FibreColourMode for each that some layer has
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;

@@ -28,6 +28,8 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     model::TractogramLayer& layer = plan.resolved.scene.layers[index].tracts();
     if (layer.colour.usesMap()) layer.colour.range = fibreRange(layer.colour, facts);
     plan.fibre_colours |= 1U << static_cast<std::uint32_t>(layer.colour.mode);
+    plan.fibre_occlusion = plan.fibre_occlusion || layer.occlusion_px.has_value();
+    plan.fibre_halos = plan.fibre_halos || layer.halo_px.has_value();
     FibletPlan fiblets;
     fiblets.culling = plan.resolved.quality.fiblet_culling;
     fiblets.tubes = layer.tube_radius_mm.has_value();

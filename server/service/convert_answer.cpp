@@ -109,6 +109,15 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     }
     message.set_fibres(info.fibres);
     message.set_points(info.points);
+    for (const model::FibreGroupSize& group : info.fibre_groups) {
+        v1::FibreGroupSize* added = message.add_fibre_groups();
+        added->set_name(group.name);
+        added->set_fibres(group.fibres);
+    }
+    message.mutable_fibre_columns()->Add(info.fibre_columns.begin(), info.fibre_columns.end());
+    message.mutable_vertex_columns()->Add(info.vertex_columns.begin(), info.vertex_columns.end());
+    message.set_error_mean_um(info.error_mean_um);
+    message.set_error_max_um(info.error_max_um);
     message.set_value_min(info.value_min);
     message.set_value_max(info.value_max);
     message.set_glyph_count(info.glyph_count);

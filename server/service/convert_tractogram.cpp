@@ -103,6 +103,8 @@ model::TractogramLayer fromProto(const v1::TractogramLayer& layer, const std::st
     result.colour = colourOf(layer.colour(), where + ".colour");
     if (layer.has_line_width_px()) result.line_width_px = toInt(layer.line_width_px(), where + ".line_width_px");
     if (layer.has_tube_radius_mm()) result.tube_radius_mm = layer.tube_radius_mm();
+    if (layer.has_occlusion_px()) result.occlusion_px = layer.occlusion_px();
+    if (layer.has_halo_px()) result.halo_px = layer.halo_px();
     for (const v1::FibreCut& cut : layer.cuts()) result.cuts.push_back({vectorOf(cut.point_mm()), vectorOf(cut.normal())});
     result.shown = setOf(layer.shown());
     if (layer.has_selected()) result.selected = setOf(layer.selected());
@@ -116,6 +118,8 @@ v1::TractogramLayer toProto(const model::TractogramLayer& layer) {
     *message.mutable_colour() = colourOf(layer.colour);
     message.set_line_width_px(static_cast<std::uint32_t>(layer.line_width_px));
     if (layer.tube_radius_mm) message.set_tube_radius_mm(*layer.tube_radius_mm);
+    if (layer.occlusion_px) message.set_occlusion_px(*layer.occlusion_px);
+    if (layer.halo_px) message.set_halo_px(*layer.halo_px);
     for (const model::FibreCut& cut : layer.cuts) {
         v1::FibreCut* added = message.add_cuts();
         *added->mutable_point_mm() = toProto(cut.point_mm);

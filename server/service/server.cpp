@@ -35,18 +35,20 @@ bool isLoopback(const std::string& listen) {
 }
 
 struct Server::Services {
-    Worker worker;
+    Worker worker, exports;
     ViewIds ids;
     ViewService view;
     RenderService render;
     PickService pick;
     CatalogService catalog;
+    SelectionService selection;
     LimitsService limits;
     explicit Services(session::Conductor& conductor)
         : view(conductor, worker, ids),
           render(conductor),
           pick(conductor, worker, ids),
           catalog(conductor, worker),
+          selection(conductor, worker, exports),
           limits(conductor) {}
 };
 
@@ -66,6 +68,7 @@ Server::Server(session::Conductor& conductor, const ServerOptions& options)
     builder.RegisterService(&services_->render);
     builder.RegisterService(&services_->pick);
     builder.RegisterService(&services_->catalog);
+    builder.RegisterService(&services_->selection);
     builder.RegisterService(&services_->limits);
     if (!options.listen.empty()) builder.AddListeningPort(options.listen, grpc::InsecureServerCredentials(), &port_);
     server_ = builder.BuildAndStart();

@@ -1,4 +1,4 @@
-// The five services of the contract. They parse, convert and answer; sessions do the work.
+// The services of the contract. They parse, convert and answer; sessions do the work.
 #pragma once
 
 #include <memory>
@@ -7,6 +7,7 @@
 #include "radiata/v1/limits.grpc.pb.h"
 #include "radiata/v1/pick.grpc.pb.h"
 #include "radiata/v1/render.grpc.pb.h"
+#include "radiata/v1/selection.grpc.pb.h"
 #include "radiata/v1/view.grpc.pb.h"
 #include "service/view_ids.h"
 #include "service/worker.h"
@@ -64,6 +65,21 @@ public:
 private:
     session::Conductor& conductor_;
     Worker& worker_;
+};
+
+class SelectionService final : public v1::SelectionService::WithRawCallbackMethod_Select<
+                                   v1::SelectionService::WithRawCallbackMethod_Export<v1::SelectionService::Service>> {
+public:
+    /// \param exports  a thread of its own: writing a large file must not hold up the catalogue
+    SelectionService(session::Conductor& conductor, Worker& worker, Worker& exports)
+        : conductor_(conductor), worker_(worker), exports_(exports) {}
+    grpc::ServerUnaryReactor* Select(Context* context, const Bytes* request, Bytes* response) override;
+    grpc::ServerWriteReactor<Bytes>* Export(Context* context, const Bytes* request) override;
+
+private:
+    session::Conductor& conductor_;
+    Worker& worker_;
+    Worker& exports_;
 };
 
 class LimitsService final : public v1::LimitsService::WithRawCallbackMethod_GetLimits<v1::LimitsService::Service> {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -11,6 +12,7 @@
 #include "model/dataset.h"
 #include "model/frame.h"
 #include "model/pick.h"
+#include "model/selection.h"
 
 namespace radiata::session {
 
@@ -34,6 +36,13 @@ struct Backend {
     // Called by any thread.
     std::function<std::vector<model::DatasetInfo>()> list;
     std::function<model::DatasetInfo(const std::string& id)> info;  ///< \throws Error(kNotFound)
+
+    /// \throws Error(kNotFound, kInvalidArgument) as model/selection_text.h and build/fibre_selection.h say
+    std::function<model::SelectedFibres(const std::string& id, const std::string& selection)> select;
+    /// Writes the selected fibres as .tck or .trx. \return the files written
+    std::function<std::vector<std::filesystem::path>(const std::string& id, const std::string& selection,
+                                                     const std::filesystem::path& file)>
+        write_fibres;
 
     std::string device;
     std::vector<std::string> traversals;

@@ -137,6 +137,15 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
     backend.pick = pick;
     backend.list = [] { return std::vector<model::DatasetInfo>{dataset()}; };
     backend.info = lookUp;
+    backend.select = [](const std::string& id, const std::string&) -> model::SelectedFibres {
+        lookUp(id);
+        throw Error(Code::kInvalidArgument, "dataset \"" + id + "\" is no tractogram");
+    };
+    backend.write_fibres = [](const std::string& id, const std::string&,
+                              const std::filesystem::path&) -> std::vector<std::filesystem::path> {
+        lookUp(id);
+        throw Error(Code::kInvalidArgument, "dataset \"" + id + "\" is no tractogram");
+    };
     backend.device = "stub";
     return backend;
 }

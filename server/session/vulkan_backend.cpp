@@ -3,7 +3,21 @@
 #include <map>
 #include <memory>
 
+#include "build/fibre_selection.h"
+#include "io/tractogram.h"
+#include "model/selection_text.h"
+#include "model/tractogram_subset.h"
+
 namespace radiata::session {
+namespace {
+
+model::SelectedFibres select(store::Store& store, const std::string& id, const std::string& selection) {
+    const model::Selection parsed = model::parseSelection(selection);
+    const FibreBits bits = store.selector(id)->select(parsed);
+    return {bits.size(), bits.fibres()};
+}
+
+}  // namespace
 
 Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     // Only the render thread touches the targets.
@@ -22,6 +36,11 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     };
     backend.list = [&store] { return store.list(); };
     backend.info = [&store](const std::string& id) { return store.info(id); };
+    backend.select = [&store](const std::string& id, const std::string& selection) { return select(store, id, selection); };
+    backend.write_fibres = [&store](const std::string& id, const std::string& selection, const std::filesystem::path& file) {
+        const auto subset = model::subsetOf(store.tracts(id), select(store, id, selection).fibres);
+        return io::writeTractogram(*subset, file);
+    };
     backend.device = renderer.deviceName();
     backend.traversals = renderer.traversals();
     return backend;

@@ -7,13 +7,18 @@
 #include <mutex>
 
 #include "base/error.h"
+#include "build/fiblet_source.h"
+#include "build/fibre_selection.h"
 #include "gpu/device.h"
+#include "io/fiblet_file.h"
 #include "io/scalar_image.h"
 #include "io/sh_image.h"
 #include "io/stored_image.h"
 #include "io/tensor_image.h"
+#include "io/tractogram.h"
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
+#include "store/tract_files.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::store {
@@ -21,9 +26,13 @@ namespace {
 
 constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr"};
 
-/// File name without its image suffix, or nothing if it is no image.
+/// File name without its suffix, or nothing if it is neither an image nor a tractogram.
 std::string stemOf(const std::filesystem::path& path) {
-    const std::string file = path.filename().string();
+    const std::string file = (path.has_filename() ? path : path.parent_path()).filename().string();
+    if (isTractName(path)) {
+        const std::string whole = file.ends_with(".gz") ? file.substr(0, file.size() - 3) : file;
+        return whole.substr(0, whole.rfind('.'));
+    }
     for (const std::string_view suffix : kSuffixes) {
         if (file.size() > suffix.size() && file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
     }
@@ -70,6 +79,13 @@ model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set
     info.kind = model::DatasetKind::kTractogram;
     info.fibres = set.fibres();
     info.points = set.points;
+    for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
+    for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
+    for (const model::PointColumn& column : set.point_columns) {
+        if (column.component == 0) info.vertex_columns.push_back(column.name);
+    }
+    info.error_mean_um = set.errors.mean_um;
+    info.error_max_um = set.errors.max_um;
     glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
     for (const shader::FibletPage& page : set.pages) {
         low = glm::min(low, page.low);
@@ -78,6 +94,22 @@ model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set
     if (set.pages.empty()) low = high = glm::vec3(0);
     info.bounds_min = set.origin_mm + glm::dvec3(low);
     info.bounds_max = set.origin_mm + glm::dvec3(high);
+    return info;
+}
+
+/// What the header alone says, which may be wrong about counts.
+model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path) {
+    model::DatasetInfo info;
+    info.id = id;
+    info.kind = model::DatasetKind::kTractogram;
+    try {
+        if (io::isFibletName(path)) return fibletInfo(id, io::readFibletHeader(path));
+        const auto source = io::openTractogram(path);
+        info.fibres = source->header().fibre_count.value_or(0);
+        info.points = source->header().point_count.value_or(0);
+    } catch (const Error&) {
+        // The list goes on; whoever asks for this dataset gets the reader's sentence.
+    }
     return info;
 }
 
@@ -92,12 +124,14 @@ struct Store::Impl {
         std::shared_ptr<const ScalarDataset> scalars;
         std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
         std::shared_ptr<const model::FibletSet> fiblets;
+        std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
 
         std::string_view kind() const { return dataset ? "an SH image" : scalars ? "a scalar volume" : "a tractogram"; }
     };
     gpu::Device& device;
     io::ShOptions options;
     std::function<void(const std::string&)> log;
+    std::filesystem::path tract_cache;
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
 
@@ -120,6 +154,10 @@ struct Store::Impl {
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
         if (slot.dataset || slot.scalars || slot.fiblets) return;
+        if (isTractName(slot.path)) {
+            slot.fiblets = std::make_shared<const model::FibletSet>(loadTracts(slot.path, tract_cache, log));
+            return;
+        }
         const io::StoredImage stored = io::readStoredImage(slot.path);
         if (!slot.tensors && kindOf(stored) == model::DatasetKind::kScalarVolume) {
             slot.scalars = std::make_shared<const ScalarDataset>(id, io::readScalarImage(slot.path));
@@ -135,22 +173,28 @@ struct Store::Impl {
 };
 
 Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
-    : impl_(new Impl{device, options, std::move(log), {}, {}}) {}
+    : impl_(new Impl{device, options, std::move(log), {}, {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
                                      const std::optional<io::TensorOptions>& tensors) {
     std::vector<std::filesystem::path> files;
     std::error_code failure;
-    if (std::filesystem::is_directory(folder_or_file, failure)) {
+    const bool folder = std::filesystem::is_directory(folder_or_file, failure);
+    if (folder && isTractName(folder_or_file)) {
+        files.push_back(folder_or_file);
+    } else if (folder) {
         for (const auto& entry : std::filesystem::directory_iterator(folder_or_file, failure)) {
-            if (entry.is_regular_file(failure) && !stemOf(entry.path()).empty()) files.push_back(entry.path());
+            const bool tract_folder = entry.is_directory(failure) && isTractName(entry.path());
+            if ((entry.is_regular_file(failure) || tract_folder) && !stemOf(entry.path()).empty())
+                files.push_back(entry.path());
         }
         std::sort(files.begin(), files.end());
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
             throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
-                                                "' is no .nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd or .nhdr file");
+                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr) and no "
+                                                "tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
         }
         files.push_back(folder_or_file);
     } else {
@@ -236,6 +280,28 @@ std::shared_ptr<const model::FibletSet> Store::fiblets(const std::string& id) {
     return slot->fiblets;
 }
 
+std::shared_ptr<FibreSelector> Store::selector(const std::string& id) {
+    std::shared_ptr<const model::FibletSet> set = fiblets(id);
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    if (!slot->selector) {
+        slot->selector = std::make_shared<FibreSelector>(std::move(set), [this](const std::string& mask) {
+            const std::shared_ptr<const ScalarDataset> volume = scalars(mask);
+            return std::shared_ptr<const model::ScalarImage>(volume, &volume->image());
+        });
+    }
+    return slot->selector;
+}
+
+std::unique_ptr<model::TractogramSource> Store::tracts(const std::string& id) {
+    const std::shared_ptr<const model::FibletSet> set = fiblets(id);
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    if (slot->path.empty() || io::isFibletName(slot->path)) return sourceOf(*set);
+    return openTracts(slot->path, {});
+}
+
+void Store::setTractCache(const std::filesystem::path& folder) { impl_->tract_cache = folder; }
+
 model::DatasetInfo Store::info(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
@@ -261,6 +327,8 @@ std::vector<model::DatasetInfo> Store::list() {
             info = slot->scalars->info();
         } else if (lock && slot->fiblets) {
             info = fibletInfo(id, *slot->fiblets);
+        } else if (isTractName(slot->path)) {
+            info = tractHeaderInfo(id, slot->path);
         } else if (!slot->path.empty()) {
             try {
                 const io::StoredImage stored = io::readStoredImage(slot->path);

@@ -17,6 +17,11 @@
 #include "model/fiblet_set.h"
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
+#include "model/tractogram.h"
+
+namespace radiata {
+class FibreSelector;
+}
 
 namespace radiata::store {
 
@@ -36,9 +41,12 @@ public:
     Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log = {});
     ~Store();
 
-    /// Adds every readable image of a folder, or one file. Ids come from file names ("xa_fod8.nii.gz" -> "xa_fod8").
-    /// \param tensors  the files hold tensors in this format; without it those are tensors whose headers say so
-    /// \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
+    /// Where tractograms are kept once they are encoded (store/tract_files.h). Empty, as at first: nowhere.
+    void setTractCache(const std::filesystem::path& folder);
+
+    /// Adds every readable image and tractogram of a folder, or one file (or .trx folder). Ids come from file names
+    /// ("xa_fod8.nii.gz" -> "xa_fod8"). \param tensors  the files hold tensors in this format; without it those are tensors
+    /// whose headers say so \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
     std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file,
                                   const std::optional<io::TensorOptions>& tensors = {});
     /// Adds an image that is already in memory (tests, lab). \throws Error(kInvalidArgument) for a malformed or taken id
@@ -58,6 +66,10 @@ public:
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
     std::shared_ptr<const model::FibletSet> fiblets(const std::string& id);
+    /// What selects of this tractogram, with what it remembers; masks are scalar volumes of the catalogue. \throws as fiblets()
+    std::shared_ptr<FibreSelector> selector(const std::string& id);
+    /// The fibres as their file has them, or as they are decoded if there is none. \throws as fiblets()
+    std::unique_ptr<model::TractogramSource> tracts(const std::string& id);
 
 private:
     struct Impl;

@@ -13,9 +13,11 @@
 #include "base/error.h"
 #include "build/phantom.h"
 #include "build/phantom_anatomy.h"
+#include "build/phantom_tracts.h"
 #include "build/stiffness_field.h"
 #include "io/nifti_write.h"
 #include "io/sh_write.h"
+#include "io/tractogram.h"
 #include "math/sh_convention.h"
 
 namespace {
@@ -25,7 +27,7 @@ using radiata::Error;
 using radiata::Phantom;
 
 struct Files {
-    std::filesystem::path image, labels, bundles, anatomy;
+    std::filesystem::path image, labels, bundles, anatomy, tracts;
     double anatomy_voxel_mm = 1.5;
 };
 
@@ -88,8 +90,16 @@ void checkNiftiName(const std::filesystem::path& path) {
     }
 }
 
-void make(const radiata::PhantomOptions& options, const Files& files) {
+void writeTracts(const Phantom& phantom, const radiata::PhantomTractOptions& options, const std::filesystem::path& path) {
+    radiata::io::writeTractogram(*radiata::phantomTracts(phantom, options), path);
+    std::printf("%s: %llu streamlines, step %.3g mm, in groups by bundle, seed %llu\n", path.c_str(),
+                static_cast<unsigned long long>(options.fibres), options.step_mm,
+                static_cast<unsigned long long>(phantom.options().seed));
+}
+
+void make(const radiata::PhantomOptions& options, const radiata::PhantomTractOptions& tracts, const Files& files) {
     checkNiftiName(files.image);
+    if (!files.tracts.empty()) radiata::io::requireWritableName(files.tracts);
     if (!files.labels.empty()) checkNiftiName(files.labels);
     if (!files.anatomy.empty()) checkNiftiName(files.anatomy);
     const Phantom phantom(options);
@@ -98,6 +108,7 @@ void make(const radiata::PhantomOptions& options, const Files& files) {
     if (!files.labels.empty()) radiata::io::writeNifti(labelVolume(phantom), files.labels);
     if (!files.anatomy.empty()) writeAnatomy(options.seed, files.anatomy_voxel_mm, files.anatomy);
     if (!files.bundles.empty()) writeBundles(phantom, files.bundles);
+    if (!files.tracts.empty()) writeTracts(phantom, tracts, files.tracts);
     std::printf("%s: %d x %d x %d voxels of %.3g mm, %zu with a glyph, even bands to %d, tournier07, world axes, seed %llu\n",
                 files.image.c_str(), image.size.x, image.size.y, image.size.z, image.voxel_to_world[0][0], image.voxels.size(),
                 image.layout.lmax, static_cast<unsigned long long>(options.seed));
@@ -108,6 +119,7 @@ void make(const radiata::PhantomOptions& options, const Files& files) {
 int main(int argc, char** argv) {
     CLI::App app("Makes a brain-like test image of known fibre bundles from a seed.", "radiata-phantom");
     radiata::PhantomOptions options;
+    radiata::PhantomTractOptions tracts;
     Files files;
     app.add_option("output", files.image, "FOD image to write, .nii or .nii.gz")->required();
     app.add_option("--seed", options.seed, "same seed, same bytes")->capture_default_str()->check(CLI::NonNegativeNumber);
@@ -134,13 +146,17 @@ int main(int argc, char** argv) {
     app.add_option("--anatomy-voxel", files.anatomy_voxel_mm, "edge of its voxels in mm, 0.25 to 20")
         ->capture_default_str()
         ->needs(anatomy);
+    auto* lines = app.add_option("--tracts", files.tracts, "write streamlines along the bundles, .trx (with groups) or .tck")
+                      ->excludes(brick);
+    app.add_option("--fibres", tracts.fibres, "how many streamlines")->capture_default_str()->needs(lines);
+    app.add_option("--step", tracts.step_mm, "distance of their points in mm, 0.01 to 10")->capture_default_str()->needs(lines);
     CLI11_PARSE(app, argc, argv);
     try {
         if (stiffness) {
             checkNiftiName(files.image);
             makeStiffness({options.seed, size->count() > 0 ? options.size : radiata::StiffnessOptions{}.size}, files);
         } else {
-            make(options, files);
+            make(options, tracts, files);
         }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "radiata-phantom: %s\n", error.what());

@@ -33,6 +33,7 @@ void startDevice(Engine& engine, const ProgramOptions& options) {
     spdlog::info("device: {}, driver {}", engine.device->info().name, engine.device->info().driver);
     engine.store = std::make_unique<store::Store>(*engine.device, options.sh,
                                                   [](const std::string& sentence) { spdlog::info("{}", sentence); });
+    engine.store->setTractCache(options.tract_cache);
     for (const auto& [how, path] : options.tensors) {
         for (const auto& entry : engine.store->add(path, how)) {
             spdlog::info("dataset {}: {}, tensors as {}", entry.id, entry.path.string(), io::name(*how.format));

@@ -8,13 +8,13 @@
 namespace radiata::tools {
 namespace {
 
-/// $XDG_CACHE_HOME/radiata/pipelines, or nothing where there is no home.
-std::filesystem::path defaultPipelineCache() {
+/// $XDG_CACHE_HOME/radiata/NAME, or nothing where there is no home.
+std::filesystem::path defaultCache(const char* name) {
     if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache) {
-        return std::filesystem::path(cache) / "radiata" / "pipelines";
+        return std::filesystem::path(cache) / "radiata" / name;
     }
     if (const char* home = std::getenv("HOME"); home && *home) {
-        return std::filesystem::path(home) / ".cache" / "radiata" / "pipelines";
+        return std::filesystem::path(home) / ".cache" / "radiata" / name;
     }
     return {};
 }
@@ -54,8 +54,9 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_option("--listen", options.server.listen, "HOST:PORT to serve on; port 0 takes a free one")->capture_default_str();
     app.add_flag("--allow-remote", options.server.allow_remote,
                  "Let --listen name an address that other machines reach; there is no encryption or login here");
-    app.add_option("--data", options.data,
-                   "Folder of images, or one image; may be repeated. Images with one volume colour glyphs, the others are SH");
+    app.add_option(
+        "--data", options.data,
+        "Folder of images and tractograms, or one; may be repeated. Images with one volume colour glyphs, the others are SH");
     app.add_option(
         "--tensors", texts.tensors,
         "FORMAT=PATH of an image or folder of tensors; formats: mrtrix, dipy, fsl, voigt-stiffness, voigt-compliance, "
@@ -72,6 +73,9 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
                    "How to read SH images: descoteaux07, descoteaux07_legacy, tournier07, mrtrix0.2");
     app.add_option("--sh-axes", texts.axes, "Axes of the directions in SH images: world, voxel");
     app.add_option("--pipeline-cache", options.device.pipeline_cache, "File that keeps compiled pipelines")
+        ->capture_default_str();
+    app.add_option("--tract-cache", options.tract_cache,
+                   "Folder that keeps tractograms once they are encoded; empty: none is kept")
         ->capture_default_str();
     app.add_option("--limits", texts.limits,
                    "KEY=NUMBER; keys: width, height, pixels, samples, views, window; may be repeated");
@@ -109,7 +113,8 @@ void finish(ProgramOptions& options, const Texts& texts) {
 
 std::optional<ProgramOptions> parseOptions(int argc, char** argv, int& exit_code) {
     ProgramOptions options;
-    options.device.pipeline_cache = defaultPipelineCache();
+    options.device.pipeline_cache = defaultCache("pipelines");
+    options.tract_cache = defaultCache("fiblets");
     Texts texts;
     CLI::App app("Renders diffusion-MRI pictures on the GPU and streams them over gRPC. Not for diagnostic use.",
                  "radiata-server");

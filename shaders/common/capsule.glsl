@@ -5,14 +5,13 @@
 
 const float kCapsuleMissed = 3.4e38;
 
-// First parameter, from `from` on, of a ray's points within `radius` of a ball's centre at -offset.
-float ballHit(vec3 offset, vec3 direction, float radius, float from) {
+// First parameter of a ray's points within `radius` of a ball's centre at -offset.
+float ballHit(vec3 offset, vec3 direction, float radius) {
     const float a = dot(direction, direction), b = dot(offset, direction);
     const vec3 across = offset - b / a * direction;
     const float root2 = (radius * radius - dot(across, across)) / a;
     if (root2 < 0.0) return kCapsuleMissed;
-    const float t = -b / a - sqrt(root2);
-    return t >= from ? t : kCapsuleMissed;
+    return -b / a - sqrt(root2);
 }
 
 // \param origin, direction  of the ray; any length but zero
@@ -26,13 +25,12 @@ float capsuleHit(vec3 origin, vec3 direction, vec3 start, vec3 along, float radi
     const float from = nearest - shift;
     const float length2 = dot(along, along);
     normal = vec3(0.0);
-    float t = kCapsuleMissed;
     if (length2 > 0.0) {
         const vec3 d = direction - dot(direction, along) / length2 * along;
         const vec3 o = offset - dot(offset, along) / length2 * along;
         const float a = dot(d, d);
         if (a > 1e-12 * dot(direction, direction)) {
-            const float side = ballHit(o, d, radius, -kCapsuleMissed);
+            const float side = ballHit(o, d, radius);
             const float place = dot(offset + side * direction, along) / length2;
             if (side < kCapsuleMissed && place >= 0.0 && place <= 1.0) {
                 if (side < from) return kCapsuleMissed;
@@ -41,9 +39,10 @@ float capsuleHit(vec3 origin, vec3 direction, vec3 start, vec3 along, float radi
             }
         }
     }
-    const float first = ballHit(offset, direction, radius, from), second = ballHit(offset - along, direction, radius, from);
-    t = min(first, second);
-    if (t == kCapsuleMissed) return t;
+    // Where a ray enters the second ball it may be inside the first, so what counts is the earlier entry.
+    const float first = ballHit(offset, direction, radius), second = ballHit(offset - along, direction, radius);
+    const float t = min(first, second);
+    if (t < from || t == kCapsuleMissed) return kCapsuleMissed;
     normal = (offset + t * direction - (first <= second ? vec3(0.0) : along)) / radius;
     return t + shift;
 }

@@ -13,6 +13,7 @@ layout(constant_id = 2) const bool kMarks = false;
 layout(constant_id = 3) const bool kCounts = true;  // false: pixels are resolved once more
 layout(constant_id = 4) const bool kTubes = false;
 layout(constant_id = 5) const bool kSelectedOnly = false;  // of the tubes
+layout(constant_id = 6) const bool kMarksOnly = false;     // the surface buffer is left alone
 
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer FrameCountersBuffer { uint hit_pixels; };
@@ -27,7 +28,7 @@ bool resolve(FibletLayerParams layer, uint at) {
     const uint64_t word = WordBuffer(layer.words).at[at];
     const uint who = uint(word);
     if (who == FIBLET_NOBODY) {
-        if (kFirstLayer) {
+        if (kFirstLayer && !kMarksOnly) {
             push.surface.at[at].depth = uintBitsToFloat(0x7f800000u);
             push.surface.at[at].who = FIBLET_NOBODY;
             push.surface.at[at].layer_and_steps = 0u;
@@ -39,6 +40,7 @@ bool resolve(FibletLayerParams layer, uint at) {
         const uint bit = 1u << (fiblet & 31u);
         if ((UintBuffer(layer.visible).at[fiblet >> 5u] & bit) == 0u) atomicOr(UintBuffer(layer.visible).at[fiblet >> 5u], bit);
     }
+    if (kMarksOnly) return false;
     const bool empty_before = kFirstLayer || push.surface.at[at].who == FIBLET_NOBODY;
     const uint64_t tangent = WordBuffer(layer.tangents).at[at];
     if (uint(tangent) != who) {

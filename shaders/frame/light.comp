@@ -14,13 +14,14 @@ layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
-layout(constant_id = 7) const bool kGlobalLight = false;  // isosurfaces are lit by texels
+layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
+#include "shaders/frame/fibre_depth.glsl"
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
 layout(buffer_reference, scalar) readonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
@@ -68,6 +69,15 @@ void main() {
         if (lit.x < 0.0) {
             if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
             else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        }
+        if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
+            const float size_mm = pixelSize(frame, ray.direction, surface.depth);
+            if (kFibreOcclusion && look.occlusion_px > 0.0) {
+                dimmed *= openness(push.surface, frame, look.occlusion_px, at, surface.depth, size_mm);
+            }
+            if (kFibreHalos && look.halo_px > 0.0 && inHalo(push.surface, frame, look.halo_px, at, surface.depth, size_mm)) {
+                dimmed = 0.0;
+            }
         }
         radiance = mix(radiance, dimmed * lit, look.opacity);
     }

@@ -57,8 +57,10 @@ struct LayerLook {
     uint64_t tangents;   // of fibres: what pixels keep of directions, see shaders/fiblet/raster.comp
     uint tubes;          // 0: fibres are lines; 1: tubes; 2: selected ones are tubes
     float unselected;    // factor on the light of fibres that are not selected
+    float occlusion_px;  // radius of occlusion in screen space, pixels; 0: none
+    float halo_px;       // width of halos; 0: none
 };
-STATIC_SIZE(LayerLook, 80);
+STATIC_SIZE(LayerLook, 88);
 
 SHADER_NAMESPACE_END
 #endif

@@ -10,7 +10,7 @@ from programs import DATASET, ClientTest
 class CatalogTest(ClientTest):
     def test_list_is_a_table(self):
         lines = self.radiata("list").stdout.splitlines()
-        self.assertRegex(lines[0], r"^dataset +kind +voxels +lmax +glyphs +GPU memory$")
+        self.assertRegex(lines[0], r"^dataset +kind +voxels +lmax +glyphs +fibres +GPU memory$")
         self.assertRegex(lines[1], rf"^{DATASET} +sh-image +\d+x\d+x\d+ +\d+ +\d+")
 
     def test_list_json_has_every_dataset(self):

@@ -7,6 +7,7 @@ import pathlib
 import struct
 import tempfile
 import unittest
+import zipfile
 
 from programs import run
 
@@ -55,6 +56,17 @@ class PhantomTest(unittest.TestCase):
         done = self.phantom(self.folder / "c.nii", "--slice-dense", 500, "--lmax", 2)
         self.assertEqual(header((self.folder / "c.nii").read_bytes())[0][3], 1)
         self.assertGreaterEqual(int(done.stdout.split(" with a glyph")[0].split()[-1]), 500)
+
+    def test_streamlines_have_groups_and_the_step_asked_for(self):
+        done = self.phantom(self.folder / "a.nii", "--size", 8, "--lmax", 2, "--tracts", self.folder / "a.trx", "--fibres", 60,
+                            "--step", 0.4)
+        self.assertIn("60 streamlines, step 0.4 mm", done.stdout)
+        with zipfile.ZipFile(self.folder / "a.trx") as trx:
+            info = json.loads(trx.read("header.json"))
+            groups = [name for name in trx.namelist() if name.startswith("groups/")]
+            points = struct.unpack("<6f", trx.read("positions.3.float32")[:24])
+        self.assertEqual((info["NB_STREAMLINES"], len(groups)), (60, 7))
+        self.assertAlmostEqual(sum((points[i] - points[i + 3]) ** 2 for i in range(3)) ** 0.5, 0.4, 5)
 
     def test_noise_changes_the_image_and_nothing_else(self):
         self.phantom(self.folder / "a.nii", "--size", 10, "--lmax", 2)

@@ -53,12 +53,17 @@ public:
           suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
 
     void draw() {
-        prepare();
-        begin();
+        if (run_.list.frozen) freeze();
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        begin(first_);
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.culling == model::FibletCulling::kNone) {
                 raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
                 own_.drawn = scene_.fibletCount();
+            } else if (run_.list.frozen) {
+                cull(1, 0, orderPages());
+                raster(true, 0, own_.counts().listed);
+                own_.drawn = own_.counts().listed;
             } else {
                 drawCulled();
             }
@@ -69,7 +74,18 @@ public:
 private:
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
 
-    void prepare() {
+    /// Lets `visible` be what is seen from the frozen camera.
+    void freeze() {
+        own_.knows_visible = false;
+        prepare(run_.list.frozen->rays, run_.list.frozen->reference_mm);
+        begin(true);
+        if (run_.list.frozen->sees_scene) drawCulled();
+        run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
+        resolve(true, true, true);
+        submit(0);
+    }
+
+    void prepare(const shader::CameraRays& rays, const glm::dvec3& reference_mm) {
         const Target::Impl& target = run_.target;
         const model::FrameRequest& whole = run_.list.plan->resolved;
         const glm::ivec2 picture(whole.width, whole.height), window(target.width, target.height);
@@ -78,9 +94,8 @@ private:
         const glm::ivec2 first(std::lround(offset.x + 0.5F * static_cast<float>(picture.x - window.x)),
                                std::lround(offset.y + 0.5F * static_cast<float>(picture.y - window.y)));
         const glm::dvec3 origin = scene_.set().origin_mm;
-        shader::FibletView view =
-            plan::fibletView(target.frame().rays, picture, {first, window}, target.frame().jitter - offset,
-                             run_.list.camera.reference_mm - origin, scene_.reachMm());
+        shader::FibletView view = plan::fibletView(rays, picture, {first, window}, target.frame().jitter - offset,
+                                                   reference_mm - origin, scene_.reachMm());
         view.line_width = static_cast<float>(plan_.line_width_px);
         view.tube_radius = plan_.tube_radius_mm;
         own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone);
@@ -94,9 +109,10 @@ private:
         run_.target.look(index_).tangents = own_.tangents.address();
     }
 
-    void begin() {
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first_ ? 1U : 0U}),
-                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+    /// \param first  nothing that was drawn before is looked at
+    void begin(bool first) {
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U}), "fiblet begin" + suffix_,
+                               PassRun::groups(run_.pixels()), 1, 1,
                                LayerPush{own_.layerAddress(), run_.target.surface.address()});
     }
 
@@ -150,10 +166,10 @@ private:
         }
     }
 
-    /// Pages nearest first, for the second phase.
-    void orderPages() {
+    /// Pages nearest first, for the second phase. \return  how many
+    std::uint32_t orderPages() {
         const std::vector<shader::FibletPage>& boxes = scene_.pages();
-        const glm::vec3 forward = run_.list.camera.rays.forward;
+        const glm::vec3 forward = own_.layer().view.forward;
         std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             const glm::vec3 middle = 0.5F * (boxes[i].low + boxes[i].high), reach = boxes[i].high - middle;
@@ -162,11 +178,11 @@ private:
         std::ranges::sort(order);
         std::span<std::uint32_t> to = own_.page_order.as<std::uint32_t>();
         for (std::size_t i = 0; i < order.size(); ++i) to[i] = order[i].second;
+        return static_cast<std::uint32_t>(order.size());
     }
 
     void drawCulled() {
-        const auto pages = static_cast<std::uint32_t>(scene_.pages().size());
-        orderPages();
+        const std::uint32_t pages = orderPages();
         std::uint32_t drawn = 0;
         const auto drawListed = [&] {
             const std::uint32_t listed = own_.counts().listed;
@@ -200,25 +216,26 @@ private:
     }
 
     void surface() {
-        const bool marks = twoPhases();
+        const bool marks = twoPhases() && !run_.list.frozen;
         if (marks) run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
-        resolve(marks, false);
+        resolve(marks, false, false);
         submit(0);
         // Tangents that a loser of the race overwrote; a second drawing finds the final words.
         while (own_.counts().repaired > 0) {
             const std::uint32_t repaired = own_.counts().repaired;
             own_.counts().repaired = 0;
             raster(true, 0, repaired);
-            resolve(false, true);
+            resolve(false, true, false);
             submit(0);
         }
         own_.knows_visible = marks;
     }
 
-    void resolve(bool marks, bool again) {
+    /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
+    void resolve(bool marks, bool again, bool marks_only) {
         run_.recorder.dispatch(
             run_.pipelines.get("fiblet_surface", {PassRun::kGroup, first_ ? 1U : 0U, marks ? 1U : 0U, again ? 0U : 1U,
-                                                  plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U}),
+                                                  plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U, marks_only ? 1U : 0U}),
             "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
             SurfacePush{own_.layerAddress(), run_.target.surface.address(), run_.counterAddress()});
     }

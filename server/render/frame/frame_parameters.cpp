@@ -24,6 +24,8 @@ void fillFibreLook(ColourTables& colours, const DrawList& list, std::size_t inde
     look.colour = static_cast<std::uint32_t>(colour.mode);
     look.uniform_colour = colour.uniform;
     look.tubes = fiblets.selected_only ? 2 : fiblets.tubes ? 1 : 0;
+    look.occlusion_px = list.plan->resolved.scene.layers[index].tracts().occlusion_px.value_or(0);
+    look.halo_px = list.plan->resolved.scene.layers[index].tracts().halo_px.value_or(0);
     look.unselected = fiblets.dimmed ? kUnselectedLight : 1;
     if (!colour.usesMap()) return;
     look.map = colours.address(colour.map);

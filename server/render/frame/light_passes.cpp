@@ -27,6 +27,8 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                          run.list.plan->layer_kinds,
                                          run.list.plan->fibre_colours,
                                          veil ? 1U : 0U,
+                                         run.list.plan->fibre_occlusion ? 1U : 0U,
+                                         run.list.plan->fibre_halos ? 1U : 0U,
                                          global ? 1U : 0U};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;

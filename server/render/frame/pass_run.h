@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,7 +42,8 @@ struct DrawList {
     const plan::FramePlan* plan = nullptr;
     std::vector<DrawnLayer> layers;
     plan::RebasedCamera camera;
-    glm::vec2 pixel_offset{0};  ///< added to every sample's place in its pixel, pixels right and down
+    std::optional<plan::RebasedCamera> frozen;  ///< that fiblets are culled for, if not for the camera
+    glm::vec2 pixel_offset{0};                  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
     bool settled = false;  ///< global light is that of a picture at rest
 };

@@ -111,6 +111,9 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     if (!abilities.bvh && !abilities.ray_query) {
         throw Error(Code::kUnsupported, "picks need ray queries or a hierarchy; neither passed this device's self-test");
     }
+    if (request.quality.frozen_culling) {
+        throw Error(Code::kUnsupported, "picks do not know which fibres quality.frozen_culling leaves out; draw without it");
+    }
     model::FrameRequest pixel = request;
     pixel.quality = {};
     pixel.quality.samples = 1;

@@ -222,6 +222,9 @@ struct Renderer::Impl {
         const glm::dvec3 reach = glm::max(glm::abs(bounds.minimum - centre), glm::abs(bounds.maximum - centre));
         bounds = {centre - reach, centre + reach};
         list.camera = plan::rebaseCamera(request.camera, bounds, request.height);
+        if (request.quality.frozen_culling) {
+            list.frozen = plan::rebaseCamera(*request.quality.frozen_culling, bounds, request.height);
+        }
         list.light_direction_world = lightDirection(request.scene.light, model::cameraFrame(request.camera));
         std::vector<plan::LayerFacts> facts;
         for (const DrawnLayer& layer : list.layers) {

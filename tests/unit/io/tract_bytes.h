@@ -111,4 +111,28 @@ inline std::string ttBytes() {
            matMatrix("track", 50, tracks.size(), tracks);
 }
 
+/// A text .vtk file of two lines through five points, with a column of each kind.
+inline std::string vtkText(const std::string& title = "two lines") {
+    return "# vtk DataFile Version 3.0\n" + title +
+           "\nASCII\nDATASET POLYDATA\nPOINTS 5 float\n1 2 3 1.5 2 3\n2 2 3\n-7 8 -9 -7 8.5 -9\n"
+           "LINES 2 7\n3 0 1 2\n2 3 4\nPOINT_DATA 5\nSCALARS fa float 1\nLOOKUP_TABLE default\n0.1 0.2 0.3 0.4 0.5\n"
+           "CELL_DATA 2\nFIELD FieldData 1\nid 2 2 int\n1 2 3 4\n";
+}
+
+/// The same lines in binary, of version 3.0 or, with offsets, of 5.1.
+inline std::string vtkBinary(bool offsets) {
+    std::string bytes = "# vtk DataFile Version " + std::string(offsets ? "5.1" : "3.0") +
+                        "\nvtk output\nBINARY\nDATASET POLYDATA\nPOINTS 5 double\n" +
+                        encode({1, 2, 3, 1.5, 2, 3, 2, 2, 3, -7, 8, -9, -7, 8.5, -9}, "float64", true);
+    if (offsets) {
+        bytes += "\nLINES 3 5\nOFFSETS vtktypeint64\n" + encode({0, 3, 5}, "int64", true) + "\nCONNECTIVITY vtktypeint64\n" +
+                 encode({0, 1, 2, 3, 4}, "int64", true);
+    } else {
+        bytes += "\nLINES 2 7\n" + encode({3, 0, 1, 2, 2, 3, 4}, "int32", true);
+    }
+    return bytes + "\nPOINT_DATA 5\nSCALARS fa float 1\nLOOKUP_TABLE default\n" +
+           encode({0.1, 0.2, 0.3, 0.4, 0.5}, "float32", true) + "\nCELL_DATA 2\nFIELD FieldData 1\nid 2 2 int\n" +
+           encode({1, 2, 3, 4}, "int32", true) + "\n";
+}
+
 }  // namespace radiata::test

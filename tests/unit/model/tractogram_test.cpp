@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.h"
+#include "model/tractogram_subset.h"
 
 namespace radiata::model {
 namespace {
@@ -96,6 +97,24 @@ TEST(Tractogram, IsNotReadBeyondTheMemoryThatWasAllowed) {
     const Tractogram all = example(40);
     EXPECT_THAT([&] { readAll(*sourceOf(all), 1000); },
                 testing::ThrowsMessage<Error>("example: its fibres need more than 1000 bytes of memory"));
+}
+
+TEST(Tractogram, SomeFibresAreATractogramOfTheirOwn) {
+    const Tractogram all = example(40);
+    const std::vector<std::uint32_t> chosen{0, 3, 5, 6, 39};
+    const Tractogram some = readAll(*subsetOf(sourceOf(all), chosen));
+    ASSERT_EQ(some.fibreCount(), chosen.size());
+    for (std::size_t i = 0; i < chosen.size(); ++i) {
+        const auto own = some.fibre(i), original = all.fibre(chosen[i]);
+        EXPECT_TRUE(std::equal(own.begin(), own.end(), original.begin(), original.end())) << i;
+        EXPECT_EQ(some.fibres.fibre_values[0][i], all.fibres.fibre_values[0][chosen[i]]);
+        for (std::size_t k = 0; k < 3 * own.size(); ++k) {
+            EXPECT_EQ(some.fibres.vertex_values[1][3 * some.fibres.offsets[i] + k],
+                      all.fibres.vertex_values[1][3 * all.fibres.offsets[chosen[i]] + k]);
+        }
+    }
+    EXPECT_EQ(some.group("odd").fibres, (std::vector<std::uint32_t>{1, 2}));
+    EXPECT_EQ(readAll(*subsetOf(sourceOf(all), {})).fibreCount(), 0U);
 }
 
 }  // namespace

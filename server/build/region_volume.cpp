@@ -1,0 +1,141 @@
+#include "build/region_volume.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace radiata {
+namespace {
+
+std::array<glm::dvec3, 8> cornersOf(const glm::dvec3& low, const glm::dvec3& high) {
+    std::array<glm::dvec3, 8> corners;
+    for (std::size_t i = 0; i < 8; ++i) {
+        corners[i] = {(i & 1) != 0 ? high.x : low.x, (i & 2) != 0 ? high.y : low.y, (i & 4) != 0 ? high.z : low.z};
+    }
+    return corners;
+}
+
+/// Convex regions hold a box or a segment if they hold its corners or ends.
+class Convex : public RegionVolume {
+public:
+    BoxRelation relate(const glm::dvec3& low, const glm::dvec3& high) const final {
+        if (apart(low, high)) return BoxRelation::kOutside;
+        const auto corners = cornersOf(low, high);
+        const bool all = std::all_of(corners.begin(), corners.end(), [this](const glm::dvec3& p) { return contains(p); });
+        return all ? BoxRelation::kInside : BoxRelation::kUnknown;
+    }
+    bool holds(const glm::dvec3& a, const glm::dvec3& b) const final { return contains(a) && contains(b); }
+
+protected:
+    virtual bool apart(const glm::dvec3& low, const glm::dvec3& high) const = 0;
+};
+
+class Ellipsoid : public Convex {
+public:
+    explicit Ellipsoid(const model::FibreRegion& region) : centre_(region.centre), to_ball_(glm::inverse(region.axes)) {
+        for (int i = 0; i < 3; ++i) {
+            half_[i] = glm::length(glm::dvec3(region.axes[0][i], region.axes[1][i], region.axes[2][i]));
+        }
+    }
+
+    bool contains(const glm::dvec3& p) const override {
+        const glm::dvec3 q = to_ball_ * (p - centre_);
+        return glm::dot(q, q) <= 1;
+    }
+
+    bool meets(const glm::dvec3& a, const glm::dvec3& b) const override {
+        const glm::dvec3 q = to_ball_ * (a - centre_), d = to_ball_ * (b - a);
+        const double length2 = glm::dot(d, d);
+        const double t = length2 > 0 ? std::clamp(-glm::dot(q, d) / length2, 0.0, 1.0) : 0;
+        const glm::dvec3 nearest = q + t * d;
+        return glm::dot(nearest, nearest) <= 1;
+    }
+
+protected:
+    bool apart(const glm::dvec3& low, const glm::dvec3& high) const override {
+        for (int i = 0; i < 3; ++i) {
+            if (low[i] > centre_[i] + half_[i] || high[i] < centre_[i] - half_[i]) return true;
+        }
+        // A ball around the box in the space where the ellipsoid is the unit ball.
+        const glm::dvec3 q = to_ball_ * (0.5 * (low + high) - centre_), h = 0.5 * (high - low);
+        double reach = 0;
+        for (int i = 0; i < 8; i += 2) {
+            const glm::dvec3 corner((i & 2) != 0 ? h.x : -h.x, (i & 4) != 0 ? h.y : -h.y, h.z);
+            reach = std::max(reach, glm::length(to_ball_ * corner));
+        }
+        return glm::length(q) > 1 + reach;
+    }
+
+private:
+    glm::dvec3 centre_, half_{0};
+    glm::dmat3 to_ball_;
+};
+
+class Box : public Convex {
+public:
+    explicit Box(const model::FibreRegion& region) : low_(region.centre), high_(region.high) {}
+
+    bool contains(const glm::dvec3& p) const override {
+        return p.x >= low_.x && p.y >= low_.y && p.z >= low_.z && p.x <= high_.x && p.y <= high_.y && p.z <= high_.z;
+    }
+
+    bool meets(const glm::dvec3& a, const glm::dvec3& b) const override {
+        double enter = 0, leave = 1;
+        for (int i = 0; i < 3; ++i) {
+            const double d = b[i] - a[i];
+            if (d == 0) {
+                if (a[i] < low_[i] || a[i] > high_[i]) return false;
+                continue;
+            }
+            const double t0 = (low_[i] - a[i]) / d, t1 = (high_[i] - a[i]) / d;
+            enter = std::max(enter, std::min(t0, t1));
+            leave = std::min(leave, std::max(t0, t1));
+        }
+        return enter <= leave;
+    }
+
+protected:
+    bool apart(const glm::dvec3& low, const glm::dvec3& high) const override {
+        return low.x > high_.x || low.y > high_.y || low.z > high_.z || high.x < low_.x || high.y < low_.y || high.z < low_.z;
+    }
+
+private:
+    glm::dvec3 low_, high_;
+};
+
+class HalfSpace : public Convex {
+public:
+    explicit HalfSpace(const model::FibreRegion& region) : point_(region.centre), normal_(glm::normalize(region.high)) {}
+
+    bool contains(const glm::dvec3& p) const override { return glm::dot(p - point_, normal_) <= 0; }
+    bool meets(const glm::dvec3& a, const glm::dvec3& b) const override { return contains(a) || contains(b); }
+
+protected:
+    bool apart(const glm::dvec3& low, const glm::dvec3& high) const override {
+        // The corner that lies deepest.
+        const glm::dvec3 deepest(normal_.x > 0 ? low.x : high.x, normal_.y > 0 ? low.y : high.y,
+                                 normal_.z > 0 ? low.z : high.z);
+        return !contains(deepest);
+    }
+
+private:
+    glm::dvec3 point_, normal_;
+};
+
+}  // namespace
+
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks) {
+    switch (region.shape) {
+        case model::RegionShape::kBox:
+            return std::make_unique<Box>(region);
+        case model::RegionShape::kHalfSpace:
+            return std::make_unique<HalfSpace>(region);
+        case model::RegionShape::kMask:
+            return maskVolume(*masks(region.dataset), region.threshold);
+        case model::RegionShape::kEllipsoid:
+            break;
+    }
+    return std::make_unique<Ellipsoid>(region);
+}
+
+}  // namespace radiata
