@@ -46,6 +46,7 @@ public:
         sections_.text = kind == "ASCII";
         while (keyword()) continue;
         if (!sections_.points) fail("no POINTS in the file");
+        if (!sections_.cells && !sections_.ids) fail("no LINES in the file");
         return std::move(sections_);
     }
 

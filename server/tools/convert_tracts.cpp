@@ -11,6 +11,7 @@
 #include "build/fiblet_pages.h"
 #include "build/fiblet_source.h"
 #include "io/fiblet_file.h"
+#include "io/qfib.h"
 #include "io/tractogram.h"
 #include "tools/convert.h"
 
@@ -21,8 +22,16 @@ struct Settings {
     std::filesystem::path in, out;
     FibletOptions fiblets;
     bool fast = false;
+    int qfib_bits = 8;
     io::TractOptions reading;
 };
+
+bool isQfibName(const std::filesystem::path& path) { return path.extension() == ".qfib"; }
+
+/// Any format but .fiblet.
+std::unique_ptr<model::TractogramSource> openInput(const Settings& settings) {
+    return isQfibName(settings.in) ? io::openQfib(settings.in) : io::openTractogram(settings.in, settings.reading);
+}
 
 void requireFolder(const std::filesystem::path& path) {
     if (path.has_parent_path() && !std::filesystem::is_directory(path.parent_path())) {
@@ -41,7 +50,7 @@ void encode(const Settings& settings) {
     {
         Progress progress(settings.in.filename().string(), 10000);
         double shown = 0;
-        set = encodeFiblets([&] { return io::openTractogram(settings.in, settings.reading); }, options,
+        set = encodeFiblets([&] { return openInput(settings); }, options,
                             [&](double share) {
                                 const auto steps = std::size_t((share - shown) * 10000);
                                 progress.add(steps);
@@ -79,13 +88,17 @@ void convert(const Settings& settings) {
     if (from && to)
         throw Error(Code::kInvalidArgument,
                     "both files are fiblets; encode from the original instead, each time loses a little");
+    if (from && isQfibName(settings.out))
+        throw Error(Code::kInvalidArgument, "fiblets do not become .qfib; take the original instead");
     if (to) {
         encode(settings);
     } else if (from) {
         decode(settings);
+    } else if (isQfibName(settings.out)) {
+        io::writeQfib([&] { return openInput(settings); }, settings.qfib_bits, settings.out);
     } else {
         io::requireWritableName(settings.out);
-        io::writeTractogram(*io::openTractogram(settings.in, settings.reading), settings.out);
+        io::writeTractogram(*openInput(settings), settings.out);
     }
 }
 
@@ -95,8 +108,8 @@ void addTractsCommand(CLI::App& app) {
     auto settings = std::make_shared<Settings>();
     CLI::App* command =
         app.add_subcommand("tracts", "Streamlines to fiblets and back, or from one format to another, by the names' endings");
-    command->add_option("IN", settings->in, "Tractogram in any readable format, or .fiblet")->required();
-    command->add_option("OUT", settings->out, ".fiblet, .tck or .trx")->required();
+    command->add_option("IN", settings->in, "Tractogram in any readable format, .fiblet or .qfib")->required();
+    command->add_option("OUT", settings->out, ".fiblet, .tck, .trx or .qfib")->required();
     command->add_option("--column", settings->reading.columns,
                         "Further files with values of IN: .tsf, or text with a number per streamline");
     command->add_option("--bound", settings->fiblets.bound_um, "Largest distance between a point and its decoded one, um")
@@ -117,6 +130,9 @@ void addTractsCommand(CLI::App& app) {
         ->add_option("--least-bits", settings->fiblets.least_width,
                      "Bits per point at least; more are taken where the bound needs it")
         ->check(CLI::IsMember({4, 6, 8, 16}))
+        ->capture_default_str();
+    command->add_option("--qfib-bits", settings->qfib_bits, "Bits per point of a .qfib file")
+        ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
     command->add_flag("--fast", settings->fast, "As --beam 0 --least-bits 8");
     command->callback([settings] { convert(*settings); });
