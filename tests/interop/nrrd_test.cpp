@@ -21,7 +21,7 @@ TEST(Teem, VolumesThatUnuWroteAreRead) {
                  "space directions: (2,0,0) (0,0,-3) (0,1.5,0)\nspace origin: (1,2,3)\ndata file: text.txt\n\n");
     folder.write("text.txt", "0 1\n2 3\n4 5\n6 7\n8 9\n10 -11\n");
     const std::vector<float> expected{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, -11};
-    for (const std::string type : {"char", "short", "int", "longlong", "float", "double"}) {
+    for (const std::string type : {"int8", "short", "int", "longlong", "float", "double"}) {
         for (const std::string encoding : {"raw", "gzip"}) {
             for (const std::string name : {"v.nrrd", "v.nhdr"}) {
                 for (const std::string endian : {"little", "big"}) {

@@ -1,7 +1,7 @@
 """Requests from plain Python values, with the words of the command line: plane="oblique", scale="per-glyph"."""
 
 from .camera import camera_from_json
-from .v1 import camera_pb2, frame_pb2, quality_pb2, scene_pb2
+from .v1 import camera_pb2, colour_pb2, frame_pb2, quality_pb2, scene_pb2
 
 
 def enum_value(enum, prefix, word):
@@ -56,7 +56,7 @@ def glyph_colour(colour=None, colour_map=None, colour_range=None, colour_image=N
         raise ValueError("colour 'scalar' and colour_image go together")
     if mapped:
         source = getattr(message, colour)
-        source.map = enum_value(scene_pb2.ColourMap, "COLOUR_MAP_", colour_map)
+        source.map = enum_value(colour_pb2.ColourMap, "COLOUR_MAP_", colour_map)
         source.SetInParent()
         if colour_range is not None:
             source.range.low, source.range.high = colour_range

@@ -1,6 +1,7 @@
 // The controls of the page: plain selects and inputs of index.html, and the settings that they show and change.
 import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
-import { Annotations_Convention as Convention, ColourMap, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
+import { ColourMap } from "./generated/radiata/v1/colour_pb";
+import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
 import { type Region, type Settings, adapt, colourChoices, isMapped, surfaceChoices } from "./scene/settings";
 import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
 

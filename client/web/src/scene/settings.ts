@@ -1,9 +1,9 @@
 // What the controls of the page choose, and the scene that follows from it.
 import { type MessageInitShape } from "@bufbuild/protobuf";
 import { type Dataset, DatasetKind } from "../generated/radiata/v1/catalog_pb";
+import { ColourMap } from "../generated/radiata/v1/colour_pb";
 import {
   Annotations_Convention as Convention,
-  ColourMap,
   type GlyphColourSchema,
   GlyphScale_Mode as ScaleMode,
   type LayerSchema,
