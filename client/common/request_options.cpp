@@ -175,13 +175,14 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     refuse(ids.empty() ? "the server has no dataset to show" : "--dataset is needed; the server has " + ids);
 }
 
-/// What a default camera has to show: the first isosurface's volume seen along the plane's normal, or else the glyphs.
+/// What a default camera has to show: the first isosurface's volume seen along the plane's normal, or else the glyphs, or else
+/// a tractogram along that normal.
 v1::FitCameraRequest cameraWish(const v1::Scene& scene, v1::Plane plane) {
     v1::FitCameraRequest fit;
+    fit.mutable_selection()->mutable_slice()->set_plane(plane == v1::PLANE_OBLIQUE ? v1::PLANE_AXIAL : plane);
     for (const v1::Layer& layer : scene.layers()) {
         if (!layer.has_isosurface()) continue;
         fit.set_dataset_id(layer.isosurface().dataset_id());
-        fit.mutable_selection()->mutable_slice()->set_plane(plane == v1::PLANE_OBLIQUE ? v1::PLANE_AXIAL : plane);
         return fit;
     }
     for (v1::Layer layer : scene.layers()) {

@@ -2,7 +2,8 @@
 import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { type Dataset, DatasetKind, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
-import { ColourMap, NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
+import { ColourMap } from "../src/generated/radiata/v1/colour_pb";
+import { NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
 import { adapt, colourChoices, surfaceChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
 import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
 
