@@ -69,13 +69,15 @@ void repair(std::string& bytes) {
     header.crc = 0;
     header.sections = std::min<std::uint32_t>(header.sections, std::uint32_t((bytes.size() - sizeof header) / sizeof(Section)));
     std::vector<Section> sections(header.sections);
-    std::memcpy(static_cast<void*>(sections.data()), bytes.data() + sizeof header, sections.size() * sizeof(Section));
+    const auto table = std::as_writable_bytes(std::span(sections));
+    const auto stored = std::as_bytes(std::span(bytes)).subspan(sizeof header, table.size());
+    std::ranges::copy(stored, table.begin());
     repairPages(bytes, sections);
     for (Section& section : sections) {
         if (section.kind != kHeads && section.kind != kCodes) section.crc = crcOf(part(bytes, section.offset, section.bytes));
     }
     header.crc = crcOf(std::as_bytes(std::span(sections)), crcOf(std::as_bytes(std::span(&header, 1))));
-    std::memcpy(bytes.data() + sizeof header, sections.data(), sections.size() * sizeof(Section));
+    std::ranges::copy(table, std::as_writable_bytes(std::span(bytes)).begin() + sizeof header);
     std::memcpy(bytes.data(), &header, sizeof header);
 }
 
