@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 

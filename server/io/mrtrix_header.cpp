@@ -13,6 +13,7 @@
 #include "io/byte_source.h"
 #include "io/data_file.h"
 #include "io/mrtrix_text.h"
+#include "io/text.h"
 #include "math/cartesian_tensor.h"
 
 namespace radiata::io {

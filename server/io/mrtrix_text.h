@@ -10,12 +10,6 @@
 
 namespace radiata::io {
 
-/// Parts of a list separated by commas or blanks, without empty ones.
-std::vector<std::string_view> splitList(std::string_view list);
-
-/// Text of a file for a message: in quotes, printable, at most 60 characters.
-std::string shown(std::string_view text);
-
 class MrtrixText {
 public:
     /// Reads "mrtrix image" and the lines up to END (or, in a .mih file, to its end); at most 16 MiB of them.

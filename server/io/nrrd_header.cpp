@@ -8,8 +8,8 @@
 
 #include "base/error.h"
 #include "io/data_file.h"
-#include "io/mrtrix_text.h"
 #include "io/nrrd_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {

@@ -9,20 +9,13 @@
 
 #include "base/error.h"
 #include "io/byte_source.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {
 
 constexpr std::size_t kHeaderBytesMax = std::size_t{1} << 20;
 constexpr std::size_t kBlockBytes = std::size_t{1} << 14;
-constexpr std::string_view kBlanks = " \t\r";
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(kBlanks);
-    if (first == std::string_view::npos) return {};
-    return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
 
 /// Index just behind the first empty line, or npos. \param from  where no empty line begins before
 std::size_t behindEmptyLine(std::string_view text, std::size_t from) {

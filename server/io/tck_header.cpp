@@ -4,18 +4,12 @@
 #include <charconv>
 
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {
 
 constexpr std::size_t kHeaderMax = std::size_t{1} << 24;
-
-std::string_view trimmed(std::string_view text) {
-    const std::size_t first = text.find_first_not_of(" \t\r");
-    if (first == text.npos) return {};
-    return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
-}
 
 std::optional<std::uint64_t> whole(std::string_view text) {
     std::uint64_t value = 0;

@@ -8,8 +8,8 @@
 #include "base/error.h"
 #include "io/byte_source.h"
 #include "io/fibre_builder.h"
-#include "io/mrtrix_text.h"
 #include "io/tck.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {

@@ -7,7 +7,7 @@
 #include <cstring>
 
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "base/checked.h"
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 #include "io/trx.h"
 
 namespace radiata::io {

@@ -10,8 +10,8 @@
 #include "base/error.h"
 #include "io/byte_source.h"
 #include "io/fibre_builder.h"
-#include "io/mrtrix_text.h"
 #include "io/sample_type.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {

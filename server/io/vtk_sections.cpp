@@ -10,7 +10,7 @@
 
 #include "base/checked.h"
 #include "base/error.h"
-#include "io/mrtrix_text.h"
+#include "io/text.h"
 
 namespace radiata::io {
 namespace {
