@@ -12,9 +12,9 @@
 
 namespace radiata::model {
 
-/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms counts and bounds; the rest
-/// is about glyphs.
-enum class DatasetKind { kShImage, kScalarVolume, kTractogram };
+/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms counts and bounds,
+/// environment maps their pixels as size and the range of their luminance; the rest is about glyphs.
+enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kEnvironmentMap };
 
 struct FibreGroupSize {
     std::string name;

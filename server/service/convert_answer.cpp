@@ -92,10 +92,11 @@ v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs) {
 v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
-    message.set_kind(info.kind == model::DatasetKind::kTractogram     ? v1::DATASET_KIND_TRACTOGRAM
-                     : info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
-                     : info.tensor_order > 0                          ? v1::DATASET_KIND_TENSOR_IMAGE
-                                                                      : v1::DATASET_KIND_SH_IMAGE);
+    message.set_kind(info.kind == model::DatasetKind::kTractogram       ? v1::DATASET_KIND_TRACTOGRAM
+                     : info.kind == model::DatasetKind::kScalarVolume   ? v1::DATASET_KIND_SCALAR_VOLUME
+                     : info.kind == model::DatasetKind::kEnvironmentMap ? v1::DATASET_KIND_ENVIRONMENT_MAP
+                     : info.tensor_order > 0                            ? v1::DATASET_KIND_TENSOR_IMAGE
+                                                                        : v1::DATASET_KIND_SH_IMAGE);
     message.set_tensor_order(static_cast<std::uint32_t>(info.tensor_order));
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {

@@ -16,6 +16,7 @@
 #include "io/stored_image.h"
 #include "io/tensor_image.h"
 #include "io/tractogram.h"
+#include "store/environment_files.h"
 #include "store/glyph_dataset.h"
 #include "store/scalar_dataset.h"
 #include "store/tract_files.h"
@@ -24,9 +25,9 @@
 namespace radiata::store {
 namespace {
 
-constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr"};
+constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr", ".hdr"};
 
-/// File name without its suffix, or nothing if it is neither an image nor a tractogram.
+/// File name without its suffix, or nothing if it is none of images, environment maps and tractograms.
 std::string stemOf(const std::filesystem::path& path) {
     const std::string file = (path.has_filename() ? path : path.parent_path()).filename().string();
     if (isTractName(path)) {
@@ -125,8 +126,11 @@ struct Store::Impl {
         std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
         std::shared_ptr<const model::FibletSet> fiblets;
         std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
+        std::shared_ptr<const model::EnvironmentMap> environment;
 
-        std::string_view kind() const { return dataset ? "an SH image" : scalars ? "a scalar volume" : "a tractogram"; }
+        std::string_view kind() const {
+            return dataset ? "an SH image" : scalars ? "a scalar volume" : environment ? "an environment map" : "a tractogram";
+        }
     };
     gpu::Device& device;
     io::ShOptions options;
@@ -153,7 +157,12 @@ struct Store::Impl {
 
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
-        if (slot.dataset || slot.scalars || slot.fiblets) return;
+        if (slot.dataset || slot.scalars || slot.fiblets || slot.environment) return;
+        if (isEnvironmentName(slot.path)) {
+            slot.environment = loadEnvironment(slot.path);
+            if (log) log(slot.environment->source + ": an environment map");
+            return;
+        }
         if (isTractName(slot.path)) {
             slot.fiblets = std::make_shared<const model::FibletSet>(loadTracts(slot.path, tract_cache, log));
             return;
@@ -193,8 +202,8 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
             throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
-                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr) and no "
-                                                "tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
+                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
+                                                "environment map (.hdr) and no tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
         }
         files.push_back(folder_or_file);
     } else {
@@ -235,6 +244,26 @@ void Store::add(const std::string& id, model::FibletSet fiblets) {
     slot->fiblets = std::make_shared<const model::FibletSet>(std::move(fiblets));
     impl_->insert(id, std::move(slot));
 }
+
+void Store::add(const std::string& id, model::EnvironmentMap map) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->environment = completeEnvironment(std::move(map));
+    impl_->insert(id, std::move(slot));
+}
+
+std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->environment) {
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; light from all around needs an environment map");
+    }
+    return slot->environment;
+}
+
+std::filesystem::path Store::path(const std::string& id) { return impl_->find(id)->path; }
 
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
@@ -307,6 +336,7 @@ model::DatasetInfo Store::info(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (slot->fiblets) return fibletInfo(id, *slot->fiblets);
+    if (slot->environment) return environmentInfo(id, *slot->environment);
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
 }
 
@@ -327,6 +357,10 @@ std::vector<model::DatasetInfo> Store::list() {
             info = slot->scalars->info();
         } else if (lock && slot->fiblets) {
             info = fibletInfo(id, *slot->fiblets);
+        } else if (lock && slot->environment) {
+            info = environmentInfo(id, *slot->environment);
+        } else if (isEnvironmentName(slot->path)) {
+            info = environmentHeaderInfo(id, slot->path);
         } else if (isTractName(slot->path)) {
             info = tractHeaderInfo(id, slot->path);
         } else if (!slot->path.empty()) {

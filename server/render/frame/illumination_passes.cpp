@@ -78,6 +78,8 @@ model::IlluminationInfo illuminationInfo(const DrawList& list) {
         sum.samples += one.samples;
         sum.seconds += one.seconds;
         sum.bytes += one.bytes;
+        sum.payload_bytes += one.payload_bytes;
+        sum.texels_read += one.texels_read;
         sum.mean_error = known + weight > 0 ? (known * sum.mean_error + weight * one.mean_error) / (known + weight) : 0;
         sum.p95_error = std::max(sum.p95_error, one.p95_error);
         sum.projected = sum.projected || one.projected;

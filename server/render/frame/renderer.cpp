@@ -174,8 +174,9 @@ struct Renderer::Impl {
             DrawnLayer& drawn = list.layers[layer];
             drawn.lattice = lattice(drawn.volume, wanted, false);
             if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
+            const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
             for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
-                if (one) one->update(latticeRun(pass_run), wanted, nullptr, surface.colour, *surface.isovalue);
+                if (one) one->update(latticeRun(pass_run), wanted, map, surface.colour, *surface.isovalue);
             }
         }
     }

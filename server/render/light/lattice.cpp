@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <numbers>
 #include <span>
 
 #include "base/checked.h"
@@ -29,6 +30,7 @@ std::uint64_t product(const glm::ivec3& v) {
 
 std::uint64_t payloadBytes(const model::Illumination& light) {
     const auto count = static_cast<std::uint64_t>(light.payloadCount());
+    if (light.storage == model::TexelStorage::kRgb8) return 4;
     return light.storage == model::TexelStorage::kFloat32 ? 4 * count : 4 * ((count + 1) / 2);
 }
 
@@ -46,7 +48,7 @@ void LatticeRun::checkCancelled() const {
 
 bool IlluminationLattice::sameTexels(const model::Illumination& a, const model::Illumination& b) {
     return a.payload == b.payload && a.storage == b.storage && a.resolution == b.resolution && a.bounces == b.bounces &&
-           a.budget_mib == b.budget_mib && (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
+           a.sampling == b.sampling && a.budget_mib == b.budget_mib && (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
 }
 
 IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<const store::VolumeDataset> volume,
@@ -82,12 +84,13 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
     for (std::size_t k = 0; k < light.orders.size(); ++k)
         lattice.orders |= static_cast<std::uint32_t>(light.orders[k]) << (4 * k);
     lattice.projected = projected ? 1 : 0;
+    lattice.random_paths = light.sampling == model::TexelSampling::kRandom ? 1 : 0;
     refreshAddresses();
 }
 
 std::vector<std::uint32_t> IlluminationLattice::constants() const {
     return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U,
-            light_.storage == model::TexelStorage::kFloat16 ? 1U : 0U};
+            static_cast<std::uint32_t>(light_.storage)};
 }
 
 void IlluminationLattice::refreshAddresses() {
@@ -107,7 +110,8 @@ void IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     const bool new_light = !lit_ || !sameLight(light, light_) || map != map_;
     const bool new_albedo = !lit_ || albedo != albedo_;
     const bool irradiance = light.payload == model::TexelPayload::kIrradiance;
-    const bool drop = lit_ && ((new_light && irradiance) || (projected_ && isovalue != isovalue_));
+    const bool one_colour = light.storage == model::TexelStorage::kRgb8;
+    const bool drop = lit_ && ((new_light && irradiance) || (new_albedo && one_colour) || (projected_ && isovalue != isovalue_));
     const bool harder = light.relative_error < light_.relative_error || light.samples_max > light_.samples_max;
     light_ = light;
     map_ = map;
@@ -117,8 +121,9 @@ void IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     lattice.albedo = albedo;
     lattice.isovalue = isovalue;
     if (new_light) {
-        light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_);
+        light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_, light_buffers_.get());
         lattice.light = light_buffers_->params();
+        lattice.rgb8_scale = std::max(light_buffers_->openIrradianceMax() / std::numbers::pi_v<float>, 1e-20F);
         lattice.irradiance_floor = std::max(0.01F * light_buffers_->openIrradiance(), 1e-20F);
     }
     if (drop || harder) {

@@ -86,6 +86,7 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
             slot = reused[next_reused++];
             slot_of_brick_[slots_[slot].brick] = 0;
             recorder.fill(state_, slot * kTexels * 4, kTexels * 4, 0);
+            recorder.fill(shown_, slot * kTexels * 8, kTexels * 8, 0);
         } else {
             break;
         }

@@ -42,6 +42,7 @@ public:
     const gpu::Buffer& slotBricks() const { return slot_bricks_; }
     std::uint32_t slotsUsed() const { return static_cast<std::uint32_t>(slots_.size()); }
     std::uint64_t bytes() const;
+    std::uint64_t payloadBytes() const { return payload_ ? payload_.sizeBytes() : 0; }
     /// Of one brick with everything that belongs to it.
     std::uint64_t brickBytes() const;
 
