@@ -175,6 +175,8 @@ std::string describe(const v1::IlluminationProgress& progress) {
     if (progress.bricks_left_out() > 0) {
         line += "; the budget had no room for " + std::to_string(progress.bricks_left_out()) + " bricks of texels, lit locally";
     }
+    if (progress.texels_read() > 0) line += "; read from a saved lattice";
+    if (!progress.saved().empty()) line += "; saved lattice: " + progress.saved();
     return line;
 }
 

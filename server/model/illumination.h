@@ -51,6 +51,7 @@ struct EnvironmentMap {
     /// Red, green and blue in spherical harmonics of order 5, not turned, of scale 1; empty unless build/light_harmonics.h filled
     /// them in. Turning these costs nothing, summing up millions of pixels does.
     std::array<std::vector<double>, 3> harmonics{};
+    std::uint32_t check = 0;  ///< of the pixels, where harmonics are
 };
 
 /// What a texel keeps, for each number of bounces: irradiance of this scene's light, or the transfer of any distant light.
@@ -114,6 +115,7 @@ struct IlluminationInfo {
     std::uint64_t payload_bytes = 0;    ///< of it: what the texels keep of light
     std::uint64_t texels_read = 0;      ///< of the whole lattice: that came from a saved one
     bool projected = false;             ///< texels are lit on the shown surface
+    std::string saved;  ///< of Illumination::full, once it is done: the file's name, or why there is none
     bool operator==(const IlluminationInfo&) const = default;
 };
 

@@ -132,6 +132,7 @@ v1::IlluminationProgress toProto(const model::IlluminationInfo& info) {
     message.set_projected(info.projected);
     message.set_payload_bytes(info.payload_bytes);
     message.set_texels_read(info.texels_read);
+    message.set_saved(info.saved);
     return message;
 }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <limits>
+#include <span>
 #include <utility>
+
+#include <zlib.h>
 
 #include "base/error.h"
 #include "build/light_harmonics.h"
@@ -19,6 +22,8 @@ std::shared_ptr<const model::EnvironmentMap> loadEnvironment(const std::filesyst
 std::shared_ptr<const model::EnvironmentMap> completeEnvironment(model::EnvironmentMap map) {
     io::checkEnvironmentMap(map);
     map.harmonics = environmentHarmonics(map);
+    const auto pixels = std::as_bytes(std::span(map.pixels));
+    map.check = static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(pixels.data()), pixels.size()));
     return std::make_shared<const model::EnvironmentMap>(std::move(map));
 }
 

@@ -1,7 +1,6 @@
 #include "store/store.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 #include <map>
 #include <mutex>
@@ -16,8 +15,10 @@
 #include "io/stored_image.h"
 #include "io/tensor_image.h"
 #include "io/tractogram.h"
+#include "store/catalog_ids.h"
 #include "store/environment_files.h"
 #include "store/glyph_dataset.h"
+#include "store/lattice_files.h"
 #include "store/scalar_dataset.h"
 #include "store/tract_files.h"
 #include "store/volume_dataset.h"
@@ -25,53 +26,8 @@
 namespace radiata::store {
 namespace {
 
-constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr", ".hdr"};
-
-/// File name without its suffix, or nothing if it is none of images, environment maps and tractograms.
-std::string stemOf(const std::filesystem::path& path) {
-    const std::string file = (path.has_filename() ? path : path.parent_path()).filename().string();
-    if (isTractName(path)) {
-        const std::string whole = file.ends_with(".gz") ? file.substr(0, file.size() - 3) : file;
-        return whole.substr(0, whole.rfind('.'));
-    }
-    for (const std::string_view suffix : kSuffixes) {
-        if (file.size() > suffix.size() && file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
-    }
-    return {};
-}
-
-bool validId(const std::string& id) {
-    return !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    });
-}
-
-std::string idOf(const std::string& stem) {
-    std::string id;
-    for (const char c : stem.substr(0, 60)) {
-        const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        id += validId(std::string(1, lower)) ? lower : '_';
-    }
-    return id;
-}
-
 model::DatasetKind kindOf(const io::StoredImage& header) {
     return header.size[3] == 1 ? model::DatasetKind::kScalarVolume : model::DatasetKind::kShImage;
-}
-
-/// For messages: short, and nothing in it that would end or garble a line.
-std::string printable(const std::string& id) {
-    std::string text = id.substr(0, 64);
-    for (char& c : text) {
-        if (c < ' ' || c > '~') c = '?';
-    }
-    return text;
-}
-
-void checkId(const std::string& id) {
-    if (validId(id)) return;
-    throw Error(Code::kInvalidArgument,
-                "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
 }
 
 model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
@@ -135,7 +91,7 @@ struct Store::Impl {
     gpu::Device& device;
     io::ShOptions options;
     std::function<void(const std::string&)> log;
-    std::filesystem::path tract_cache;
+    std::filesystem::path tract_cache, lattice_folder;
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
 
@@ -182,7 +138,7 @@ struct Store::Impl {
 };
 
 Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
-    : impl_(new Impl{device, options, std::move(log), {}, {}, {}}) {}
+    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
@@ -263,8 +219,6 @@ std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::strin
     return slot->environment;
 }
 
-std::filesystem::path Store::path(const std::string& id) { return impl_->find(id)->path; }
-
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
@@ -319,6 +273,16 @@ std::unique_ptr<model::TractogramSource> Store::tracts(const std::string& id) {
 }
 
 void Store::setTractCache(const std::filesystem::path& folder) { impl_->tract_cache = folder; }
+
+void Store::setLatticeFolder(const std::filesystem::path& folder) { impl_->lattice_folder = folder; }
+
+std::filesystem::path Store::latticeFile(const std::string& id, const std::string& key) {
+    return latticePath(impl_->find(id)->path, impl_->lattice_folder, key);
+}
+
+void Store::note(const std::string& sentence) const {
+    if (impl_->log) impl_->log(sentence);
+}
 
 std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);

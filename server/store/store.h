@@ -45,6 +45,13 @@ public:
     /// Where tractograms are kept once they are encoded (store/tract_files.h). Empty, as at first: nowhere.
     void setTractCache(const std::filesystem::path& folder);
 
+    /// Where illumination lattices are saved. Empty, as at first: beside their datasets.
+    void setLatticeFolder(const std::filesystem::path& folder);
+    /// The file for a lattice of this dataset with this key; empty if there is no place for it.
+    std::filesystem::path latticeFile(const std::string& id, const std::string& key);
+    /// One sentence for the log.
+    void note(const std::string& sentence) const;
+
     /// Adds every readable image, environment map and tractogram of a folder, or one file (or .trx folder). Ids come from file names
     /// ("xa_fod8.nii.gz" -> "xa_fod8"). \param tensors  the files hold tensors in this format; without it those are tensors
     /// whose headers say so \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
@@ -72,8 +79,6 @@ public:
     std::unique_ptr<model::TractogramSource> tracts(const std::string& id);
     /// A picture of the sky, with its harmonics. \throws as fiblets()
     std::shared_ptr<const model::EnvironmentMap> environment(const std::string& id);
-    /// Where the dataset was read from; empty for one that was never a file. \throws Error(kNotFound)
-    std::filesystem::path path(const std::string& id);
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
 

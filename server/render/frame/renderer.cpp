@@ -12,6 +12,7 @@
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
 #include "render/frame/fibre_scenes.h"
+#include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/pick.h"
@@ -24,7 +25,6 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
-constexpr std::size_t kLatticesKept = 4;
 /// A picture at rest shows its global light in between, when it works on it for so long.
 constexpr std::chrono::milliseconds kSettleSlice{250};
 /// Points decoded on the device may be that much outside of boxes made on the CPU.
@@ -82,7 +82,7 @@ struct Renderer::Impl {
     plan::Abilities abilities;
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
-    std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    FrameLattices lattices;
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -145,40 +145,6 @@ struct Renderer::Impl {
             result.bounds = volumeBounds(*result.volume);
         }
         return result;
-    }
-
-    std::shared_ptr<IlluminationLattice> lattice(const std::shared_ptr<const store::VolumeDataset>& volume,
-                                                 const model::Illumination& light, bool projected) {
-        for (auto it = lattices.begin(); it != lattices.end(); ++it) {
-            if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
-                !IlluminationLattice::sameTexels((*it)->settings(), light)) {
-                continue;
-            }
-            lattices.splice(lattices.begin(), lattices, it);
-            return lattices.front();
-        }
-        lattices.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
-        if (lattices.size() > kLatticesKept) lattices.pop_back();
-        return lattices.front();
-    }
-
-    /// Global light of a planned frame's layers.
-    void light(DrawList& list, const std::atomic<bool>* cancel) {
-        const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
-        for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kIllumination) continue;
-            const auto layer = static_cast<std::size_t>(pass.layer);
-            const model::Scene& scene = list.plan->resolved.scene;
-            const model::Illumination& wanted = *scene.light.illumination;
-            const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
-            DrawnLayer& drawn = list.layers[layer];
-            drawn.lattice = lattice(drawn.volume, wanted, false);
-            if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
-            const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
-            for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
-                if (one) one->update(latticeRun(pass_run), wanted, map, surface.colour, *surface.isovalue);
-            }
-        }
     }
 
     /// What the plan has to know about a layer.
@@ -266,7 +232,9 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     model::Frame frame;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(request, plan, frame.info);
-    impl_->light(list, cancel);
+    impl_->lattices.prepare(
+        {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
+        impl_->store);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -288,6 +256,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
+    if (global) impl_->lattices.save(list, impl_->store);
     if (global) frame.info.illumination = illuminationInfo(list);
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;

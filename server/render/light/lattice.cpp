@@ -28,7 +28,7 @@ std::uint64_t product(const glm::ivec3& v) {
                            static_cast<std::uint64_t>(v.z), "lattice");
 }
 
-std::uint64_t payloadBytes(const model::Illumination& light) {
+std::uint64_t texelBytes(const model::Illumination& light) {
     const auto count = static_cast<std::uint64_t>(light.payloadCount());
     if (light.storage == model::TexelStorage::kRgb8) return 4;
     return light.storage == model::TexelStorage::kFloat32 ? 4 * count : 4 * ((count + 1) / 2);
@@ -59,7 +59,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       projected_(projected),
       size_(latticeSize(volume_->params().size, light.resolution)),
       bricks_((size_ + 7) / 8),
-      pool_(device, product(bricks_), payloadBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
+      pool_(device, product(bricks_), texelBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
     lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
     if (product(size_) >> 32 != 0) {
@@ -104,7 +104,7 @@ void IlluminationLattice::refreshAddresses() {
     lattice.shown = address(pool_.shown());
 }
 
-void IlluminationLattice::update(const LatticeRun& run, const model::Illumination& light,
+bool IlluminationLattice::update(const LatticeRun& run, const model::Illumination& light,
                                  const std::shared_ptr<const model::EnvironmentMap>& map, const glm::vec3& albedo,
                                  float isovalue) {
     const bool new_light = !lit_ || !sameLight(light, light_) || map != map_;
@@ -130,15 +130,32 @@ void IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
         requested_.clear();
         active_.clear();
         requested_for_ = 0;
+        whole_ = {};
     }
+    const bool empty = !lit_ || drop;
     if (drop) {
-        pool_.clear();
-        refreshAddresses();
+        dropTexels();
     } else if (lit_ && (new_light || new_albedo)) {
         relight(run);
     }
     lit_ = true;
+    return empty;
 }
+
+void IlluminationLattice::dropTexels() {
+    pool_.clear();
+    refreshAddresses();
+    requested_.clear();
+    active_.clear();
+    requested_for_ = 0;
+    whole_ = {};
+    texels_read_ = 0;
+    saved_.clear();
+}
+
+std::uint64_t IlluminationLattice::brickCount() const { return product(bricks_); }
+
+std::uint64_t IlluminationLattice::payloadBytes() const { return texelBytes(light_); }
 
 void IlluminationLattice::relight(const LatticeRun& run) {
     struct Push {
@@ -175,22 +192,6 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 0);
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,
                           1, 1, push);
-    list(run);
-}
-
-void IlluminationLattice::requestAll(const LatticeRun& run) {
-    shared().request = pool_.beginRequest();
-    run.recorder.submitAndWait();
-    pool_.wantAll();
-    left_out_ = pool_.admit(run.recorder);
-    refreshAddresses();
-    if (left_out_ > 0) {
-        throw Error(Code::kResourceExhausted, "the whole illumination lattice needs " +
-                                                  std::to_string(product(bricks_) * pool_.brickBytes() / 1048576 + 1) +
-                                                  " MiB, the budget is " +
-                                                  std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
-    }
-    run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 1);
     list(run);
 }
 

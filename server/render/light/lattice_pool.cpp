@@ -100,7 +100,9 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
     return missing.size() - given;
 }
 
-void LatticePool::wantAll() { std::ranges::fill(wanted_.as<std::uint32_t>(), request_); }
+void LatticePool::want(std::uint64_t begin, std::uint64_t end) {
+    std::ranges::fill(wanted_.as<std::uint32_t>().subspan(begin, end - begin), request_);
+}
 
 void LatticePool::clear() {
     slots_.clear();

@@ -136,6 +136,9 @@ model::IlluminationInfo IlluminationLattice::info() const {
     info.bytes = pool_.bytes();
     info.payload_bytes = pool_.payloadBytes();
     info.projected = projected_;
+    info.texels_read = texels_read_;
+    info.saved = saved_;
+    if (light_.full) return wholeInfo(info);
     std::vector<float> errors;
     for (const Texel& texel : requested_) {
         info.texels_done += isDone(texel.item.state);
