@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "session/finish.h"
+
 namespace radiata::session {
 namespace {
 
@@ -49,8 +51,8 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
     }
     const std::uint64_t id = ++last_id_;
     if (!ready) load(id, request);
-    views_.emplace(id, std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks),
-                                                     ready ? 0 : 1}));
+    views_.emplace(id, std::make_shared<Entry>(
+                           Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), ready ? 0 : 1}));
     changed_.notify_all();
     return id;
 }

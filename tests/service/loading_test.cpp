@@ -29,8 +29,9 @@ struct Large {
             if (broken) throw Error(Code::kInvalidArgument, "large.nii: it ends after 12 bytes");
             there = true;
         };
-        backend.render = [draw = backend.render, this](std::uint64_t view, const model::FrameRequest& request, int first, int count,
-                                                       const model::Outputs& outputs, const std::atomic<bool>* cancel) {
+        backend.render = [draw = backend.render, this](std::uint64_t view, const model::FrameRequest& request, int first,
+                                                       int count, const model::Outputs& outputs,
+                                                       const std::atomic<bool>* cancel) {
             if (wanted(request) && !there) throw Error(Code::kInternal, "drawn before its data was there");
             model::FrameRequest known = request;
             std::visit([](auto& layer) { layer.dataset_id = "stub"; }, known.scene.layers.at(0).content);
@@ -62,8 +63,7 @@ TEST(Loading, OtherViewsAndPicturesGoOn) {
     Rig rig(large.backend());
     Viewer waiting(rig.channel(), largeRequest());
     EXPECT_FALSE(waiting.id().empty()) << "the view is open before its data is there";
-    std::future<grpc::Status> picture =
-        std::async(std::launch::async, [&] { return render(rig.channel(), largeRequest()); });
+    std::future<grpc::Status> picture = std::async(std::launch::async, [&] { return render(rig.channel(), largeRequest()); });
     Viewer other(rig.channel(), frameRequest());
     ASSERT_TRUE(other.waitFor(any));
     ASSERT_TRUE(other.move(1, 0.5).ok());
