@@ -27,11 +27,18 @@ void forEachDataset(const model::Layer& layer, Visit&& visit) {
     }
 }
 
+/// Of the scene's environment map; null if it has none.
+const std::string* environmentOf(const model::FrameRequest& request) {
+    const auto& light = request.scene.light.illumination;
+    return light && light->environment ? &light->environment->id : nullptr;
+}
+
 bool resident(store::Store& store, const model::FrameRequest& request) {
     bool all = true;
     for (const model::Layer& layer : request.scene.layers) {
         forEachDataset(layer, [&](const std::string& id, const model::Layer*) { all = all && store.resident(id); });
     }
+    if (const std::string* map = environmentOf(request)) all = all && store.resident(*map);
     return all;
 }
 
@@ -45,6 +52,7 @@ void load(store::Store& store, const model::FrameRequest& request) {
             }
         });
     }
+    if (const std::string* map = environmentOf(request)) store.environment(*map);
 }
 
 }  // namespace

@@ -307,7 +307,7 @@ model::DatasetInfo Store::info(const std::string& id) {
 bool Store::resident(const std::string& id) const {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::unique_lock lock(slot->loading, std::try_to_lock);
-    return lock && (slot->dataset || slot->scalars || slot->fiblets);
+    return lock && (slot->dataset || slot->scalars || slot->fiblets || slot->environment);
 }
 
 std::vector<model::DatasetInfo> Store::list() {
