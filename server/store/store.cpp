@@ -157,9 +157,10 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         std::sort(files.begin(), files.end());
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
-            throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
-                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
-                                                "environment map (.hdr) and no tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
+            throw Error(Code::kUnsupported,
+                        "data: '" + folder_or_file.string() +
+                            "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
+                            "environment map (.hdr) and no tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
         }
         files.push_back(folder_or_file);
     } else {
@@ -213,8 +214,8 @@ std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::strin
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->environment) {
-        throw Error(Code::kInvalidArgument,
-                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; light from all around needs an environment map");
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) +
+                                                "; light from all around needs an environment map");
     }
     return slot->environment;
 }

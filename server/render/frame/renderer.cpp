@@ -81,7 +81,7 @@ struct Renderer::Impl {
     Drawer drawer;
     plan::Abilities abilities;
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
     FrameLattices lattices;
     FibreScenes tracts;
     Target own_target, pick_target;

@@ -24,8 +24,8 @@ public:
     /// Luminance of the irradiance of a surface that everything shines on from its front: what relative errors are held against
     /// a hundredth of.
     float openIrradiance() const { return open_irradiance_; }
-    /// Radiance of a white surface that 8-bit texels reach to: half as much again as where distant light falls from everywhere at
-    /// once, for what bounces.
+    /// Radiance of a white surface that 8-bit texels reach to: half as much again as where distant light falls from everywhere
+    /// at once, for what bounces.
     float radianceMax() const { return radiance_max_; }
 
 private:
