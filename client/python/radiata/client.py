@@ -72,19 +72,24 @@ class Client:
         request.convention = enum_value(scene_pb2.Annotations.Convention, "CONVENTION_", convention)
         return self._call(self._catalog.FitCamera, request).camera
 
-    def request(self, dataset, **options):
+    def request(self, dataset=None, **options):
         """A FrameRequest of frame_request's options; without a camera the one that fits the selection."""
         request = frame_request(dataset, **options)
         if not request.HasField("camera"):
             # Kept within what FitCamera takes, so that an impossible size is refused as a size.
             aspect = min(max(request.width / max(1, request.height), 0.05), 20)
-            fit = catalog_pb2.FitCameraRequest(dataset_id=dataset, aspect=aspect)
-            fit.selection.CopyFrom(request.scene.layers[0].glyphs.selection)
+            # Like the command line: an isosurface decides, or else the first layer.
+            layers = request.scene.layers
+            shown = next((layer for layer in layers if layer.HasField("isosurface")), layers[0])
+            content = getattr(shown, shown.WhichOneof("content"))
+            content = content.glyphs if shown.HasField("tensor_glyphs") else content
+            fit = catalog_pb2.FitCameraRequest(dataset_id=content.dataset_id, aspect=aspect)
+            fit.selection.CopyFrom(content.selection if hasattr(content, "selection") else voxel_selection(options.get("plane")))
             fit.convention = request.scene.annotations.convention
             request.camera.CopyFrom(self._call(self._catalog.FitCamera, fit).camera)
         return request
 
-    def render(self, dataset, *, outputs=(), image_format="png", **options):
+    def render(self, dataset=None, *, outputs=(), image_format="png", **options):
         """A Frame with all samples. `outputs`: any of depth, id, position, normal, steps; `options`: see frame_request."""
         request = render_pb2.RenderRequest(frame=self.request(dataset, **options))
         request.format = enum_value(frame_pb2.ImageFormat, "IMAGE_FORMAT_", image_format)
@@ -92,11 +97,13 @@ class Client:
         return Frame(self._call(self._render.Render, request).frame)
 
     def pick(self, dataset, x, y, **options):
-        """What lies under a pixel of the picture that render makes with the same options, as a PickedGlyph message; None: nothing."""
+        """What lies under a pixel of the picture that render makes with the same options, as a PickedGlyph message, of an
+        isosurface a PickedSurface; None: nothing."""
         answer = self._call(self._pick.Pick, pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y))
-        return answer.glyph if answer.HasField("glyph") else None
+        found = next((name for name in ("glyph", "surface") if answer.HasField(name)), None)
+        return getattr(answer, found) if found else None
 
-    def stream(self, dataset, *, window=None, **options):
+    def stream(self, dataset=None, *, window=None, **options):
         """A live View of a scene: iterate over it for frames, which are acknowledged by themselves."""
         return View(self._channel, self.request(dataset, **options), window, self.timeout)
 

@@ -71,7 +71,7 @@ def glyph_colour(colour=None, colour_map=None, colour_range=None, colour_image=N
     return message
 
 
-def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, position_mm=None, normal=None, slab_mm=None,
+def frame_request(dataset=None, *, layers=(), illumination=None, camera=None, size=(1280, 720), plane=None, position_mm=None, normal=None, slab_mm=None,
                   volume=False, scale=None, factor=None, lmax=None, lobes=None, opacity=None, convention=None,
                   annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, mesh=None, mesh_level=None,
                   mesh_normals=None, jpeg_quality=None,
@@ -81,15 +81,18 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
                   tensor_march=None):
     """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1.
 
-    tensor_glyphs ("reynolds" or "ellipsoid") makes the layer one of tensor glyphs; tensor_march is a dict of the fields of
+    layers are messages of further layers, as isosurface() makes them; with them `dataset`, the glyphs' image, may be left out.
+    illumination is a message of illumination() or vicinity(). tensor_glyphs ("reynolds" or "ellipsoid") makes the layer one of tensor glyphs; tensor_march is a dict of the fields of
     quality.TensorMarch, such as {"step": 0.01, "bisections": 3}.
     """
     request = frame_pb2.FrameRequest(width=size[0], height=size[1])
-    layer = request.scene.layers.add()
+    if dataset is None and not layers:
+        raise ValueError("a picture needs a dataset or layers")
+    layer = request.scene.layers.add() if dataset is not None else scene_pb2.Layer()
     glyphs = layer.glyphs if tensor_glyphs is None else layer.tensor_glyphs.glyphs
     if tensor_glyphs is not None:
         layer.tensor_glyphs.shape = enum_value(scene_pb2.TensorShape, "TENSOR_SHAPE_", tensor_glyphs)
-    glyphs.dataset_id = dataset
+    glyphs.dataset_id = dataset or ""
     glyphs.selection.CopyFrom(voxel_selection(plane, position_mm, normal, slab_mm, volume))
     glyphs.scale.mode = enum_value(scene_pb2.GlyphScale.Mode, "MODE_", scale)
     glyphs.negative_lobes = enum_value(scene_pb2.NegativeLobes, "NEGATIVE_LOBES_", lobes)
@@ -123,6 +126,9 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
     for name, value in (("irradiance", irradiance), ("ambient", ambient)):
         if value is not None:
             setattr(request.scene.light, name, value)
+    request.scene.layers.extend(layers)
+    if illumination is not None:
+        request.scene.light.illumination.CopyFrom(illumination)
     if light is not None:
         set_vector(request.scene.light.direction_camera, light)
     if light_world is not None:

@@ -14,6 +14,7 @@
 #include "render/frame/fibre_scenes.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
+#include "render/frame/path_passes.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
 #include "store/scalar_dataset.h"
@@ -83,6 +84,8 @@ struct Renderer::Impl {
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
     std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    PathLights path_lights;
+    IsosurfaceTriangles triangles;
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -143,6 +146,11 @@ struct Renderer::Impl {
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             result.volume = store.volume(surface->dataset_id);
             result.bounds = volumeBounds(*result.volume);
+            if (surface->colour_by) result.colours = store.volume(surface->colour_by->image_id);
+            if (quality.isosurface.method == model::SurfaceMethod::kMarchingCubes && layer.opacity >= 1) {
+                result.triangles = triangles.get(device, store.scalars(surface->dataset_id),
+                                                 surface->isovalue.value_or(result.volume->valueSplit()));
+            }
         }
         return result;
     }
@@ -166,12 +174,16 @@ struct Renderer::Impl {
     void light(DrawList& list, const std::atomic<bool>* cancel) {
         const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
         for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kIllumination) continue;
+            if (pass.kind != plan::PassKind::kIllumination && pass.kind != plan::PassKind::kPixelPaths) continue;
             const auto layer = static_cast<std::size_t>(pass.layer);
             const model::Scene& scene = list.plan->resolved.scene;
             const model::Illumination& wanted = *scene.light.illumination;
             const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
             DrawnLayer& drawn = list.layers[layer];
+            if (pass.kind == plan::PassKind::kPixelPaths) {
+                drawn.path_light = path_lights.get(device, drawn.volume, wanted, nullptr, surface.colour);
+                continue;
+            }
             drawn.lattice = lattice(drawn.volume, wanted, false);
             if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
             for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
@@ -196,6 +208,7 @@ struct Renderer::Impl {
             facts.value_max = layer.volume->valueMax();
             facts.value_split = layer.volume->valueSplit();
             facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            if (layer.colours) facts.colours = {layer.colours->valueMin(), layer.colours->valueMax()};
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -287,7 +300,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
-    if (global) frame.info.illumination = illuminationInfo(list);
+    if (global) {
+        frame.info.illumination =
+            plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+    }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     impl_->drawer.resolve(buffers, list);
