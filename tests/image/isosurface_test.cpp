@@ -10,13 +10,13 @@
 #include "image/fixture.h"
 #include "reference/camera_rays.h"
 #include "reference/shading.h"
-#include "reference/volume_function.h"
+#include "reference/scalar_field.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::test {
 namespace {
 
-using reference::VolumeFunction;
+using reference::ScalarField;
 
 class Isosurfaces : public ImageTest {
 protected:
@@ -75,7 +75,7 @@ reference::Ray gridRay(const model::ScalarImage& image, const reference::Ray& ra
 TEST_F(Isosurfaces, ShowTheReferencesHitsAndNormals) {
     const model::ScalarImage image = turned(foldedBall(48));
     store.add("ball", image);
-    const VolumeFunction volume(image);
+    const ScalarField volume(image);
     for (const bool perspective : {true, false}) {
         model::FrameRequest request = surfaceOf("ball", 30.0F);
         request.camera = cameraOn(image, {2, -3, 1}, perspective);
@@ -257,7 +257,7 @@ TEST_F(Isosurfaces, ThatAreTransparentShowWhatIsInside) {
 TEST_F(Isosurfaces, CastTheReferencesHardShadows) {
     const model::ScalarImage image = foldedBall(48);
     store.add("ball", image);
-    const VolumeFunction volume(image);
+    const ScalarField volume(image);
     model::FrameRequest request = surfaceOf("ball", 30.0F);
     request.camera = cameraOn(image, {2, -3, 1}, true);
     request.scene.light.direction_world = glm::normalize(glm::dvec3(1, 0.2, 0.8));

@@ -9,7 +9,6 @@
 #include "reference/colour_map.h"
 #include "reference/phong.h"
 #include "reference/shading.h"
-#include "reference/volume_function.h"
 
 namespace radiata::test {
 namespace {
