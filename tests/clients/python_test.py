@@ -62,24 +62,23 @@ class PackageTest(ClientTest):
             with self.assertRaises(ValueError):
                 self.client.render(DATASET, **options)
 
-    def test_isosurfaces_and_their_light(self):
-        layer = radiata.isosurface("fa", 0.5, opacity=0.5, shading="phong", fog=0.25, colour_by="md", colour_map="inferno")
-        frame = self.client.render(DATASET, size=(96, 64), samples=1, layers=[layer],
-                                   illumination=radiata.illumination(sky=(1, 2, 3), bounces=1, method="path-tracing",
-                                                                     suns=[{"direction": (0, 0, 1), "angular_radius_deg": 3}]))
-        scene = frame.message.request.scene
-        self.assertEqual([shown.WhichOneof("content") for shown in scene.layers], ["glyphs", "isosurface"])
-        surface = scene.layers[1].isosurface
-        self.assertEqual((surface.isovalue, surface.shading, surface.fog), (0.5, 3, 0.25))
-        self.assertEqual((surface.colour_by.image_id, surface.colour_by.map), ("md", 2))
-        light = scene.light.illumination
-        self.assertEqual((light.method, light.bounces, light.sky.radiance.z, light.suns[0].angular_radius_deg), (2, 1, 3, 3))
-        request = radiata.frame_request(layers=[layer], illumination=radiata.vicinity())
-        self.assertEqual((len(request.scene.layers), request.scene.light.illumination.bounces), (1, 0))
-        for wrong in (lambda: radiata.isosurface("fa", shading="flat"), lambda: radiata.isosurface("fa", colour_map="grey"),
-                      lambda: radiata.illumination("photons"), radiata.frame_request):
+    def test_layers_of_every_kind(self):
+        request = radiata.frame_request(layers=[
+            {"isosurface": {"dataset_id": "t1", "isovalue": 40.0}, "opacity": 0.25},
+            {"tractogram": {"dataset_id": "tracts", "line_width_px": 2}}],
+            light_fields={"illumination": {"bounces": 2}}, quality_fields={"fiblet_culling": "FIBLET_CULLING_NONE"})
+        surface, tracts = request.scene.layers
+        self.assertEqual((surface.isosurface.dataset_id, surface.opacity), ("t1", 0.25))
+        self.assertEqual((tracts.tractogram.dataset_id, tracts.tractogram.line_width_px), ("tracts", 2))
+        both = radiata.frame_request(DATASET, uncertainty={"dataset_id": "outer", "extinction_per_mm": 3.0},
+                                     layers=[{"tractogram": {"dataset_id": "tracts"}}])
+        self.assertEqual(both.scene.layers[0].glyphs.uncertainty.dataset_id, "outer")
+        self.assertEqual(len(both.scene.layers), 2)
+        for options in ({}, {"layers": [{"tractogram": {"path": "/etc"}}]}, {"dataset": DATASET, "uncertainty": {"sigma": 1}}):
             with self.assertRaises(ValueError):
-                wrong()
+                radiata.frame_request(**options)
+        with self.assertRaisesRegex(radiata.Refused, "nothing"):
+            self.client.render(layers=[{"tractogram": {"dataset_id": "nothing"}}])
 
     def test_stream_comes_to_rest_and_follows_the_camera(self):
         with self.client.stream(DATASET, size=(96, 64), samples=4) as view:

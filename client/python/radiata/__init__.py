@@ -13,9 +13,8 @@ from .camera import camera_from_json, camera_to_json, read_camera_path
 from .client import Client
 from .errors import RadiataError, Refused, Unreachable
 from .frame import Frame
-from .isosurface import illumination, isosurface, vicinity
 from .request import frame_request
 from .view import View
 
 __all__ = ["Client", "Frame", "View", "RadiataError", "Refused", "Unreachable", "camera_from_json", "camera_to_json",
-           "read_camera_path", "frame_request", "isosurface", "illumination", "vicinity"]
+           "read_camera_path", "frame_request"]
