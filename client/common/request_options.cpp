@@ -275,6 +275,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     if (alone || !options.dataset.empty()) addGlyphs(scene, options);
     setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
+    setShading(scene, options.light);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);

@@ -8,6 +8,7 @@
 #include "shaders/frame/base_colour.glsl"
 #include "shaders/frame/fibre_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
+#include "shaders/frame/surface_shading.glsl"
 #include "shaders/common/medium.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -38,6 +39,7 @@ layout(push_constant, scalar) uniform Push {
     MediumBuffer media;  // not read without kMedia
     VeilBuffer veil;     // not read without kVeil
     GlobalLightBuffer global_light;  // not read without kGlobalLight
+    SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
 } push;
 
 bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
@@ -46,6 +48,20 @@ vec3 glyphColour(FrameParams frame, LayerLook look, uint who, PixelRay ray, floa
     const GlyphInstance instance = InstanceBuffer(look.instances).at[who];
     const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
     return baseColour(look, who, ray.origin - centre + depth * ray.direction);
+}
+
+// Radiance of an isosurface, towards the viewer; negative: lit as everything else is. \param base  its colour, which is set here
+vec3 surfaceRadiance(FrameParams frame, Surface surface, LayerLook look, PixelRay ray, uint at, inout vec3 base) {
+    if (kSurfaceLooks != 0u) {
+        const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+        base = surfaceColour(own, look, ray.origin + surface.depth * ray.direction);
+        if (shadesItself(own)) {
+            return shadeItself(frame, own, base, surface.normal, -ray.direction, litShare(push.shadow_bits, at),
+                               openShare(push.occlusion_bits, at));
+        }
+    }
+    if (!kGlobalLight || push.global_light.at[at].x < 0.0) return vec3(-1.0);
+    return base * push.global_light.at[at];
 }
 
 void main() {
@@ -65,10 +81,16 @@ void main() {
         float dimmed = 1.0;
         if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
         vec3 lit = vec3(-1.0);
-        if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
+        if ((kGlobalLight || kSurfaceLooks != 0u) && isKind(look, LAYER_SURFACE)) {
+            lit = surfaceRadiance(frame, surface, look, ray, at, base);
+        }
         if (lit.x < 0.0) {
             if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
             else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        }
+        if (kSurfaceLooks != 0u && isKind(look, LAYER_SURFACE)) {
+            const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+            lit = mix(lit, frame.background, surfaceFog(frame, own, ray, surface.depth));
         }
         if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
             const float size_mm = pixelSize(frame, ray.direction, surface.depth);

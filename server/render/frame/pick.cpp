@@ -123,6 +123,9 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     for (model::Layer& layer : pixel.scene.layers) {
         if (layer.ifGlyphs()) layer.glyphs().colour = {};
         if (layer.ifTracts()) layer.tracts().colour = {};
+        if (model::IsosurfaceLayer* surface = std::get_if<model::IsosurfaceLayer>(&layer.content)) {
+            *surface = {.dataset_id = surface->dataset_id, .isovalue = surface->isovalue};
+        }
     }
     // Of a window that small, the frustum leaves out nearly everything.
     pixel.quality.fiblet_culling = model::FibletCulling::kFrustum;

@@ -15,6 +15,7 @@
 #include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
+#include "render/frame/path_passes.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
 #include "store/scalar_dataset.h"
@@ -83,6 +84,8 @@ struct Renderer::Impl {
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
     FrameLattices lattices;
+    PathLights path_lights;
+    IsosurfaceTriangles triangles;
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -143,8 +146,26 @@ struct Renderer::Impl {
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             result.volume = store.volume(surface->dataset_id);
             result.bounds = volumeBounds(*result.volume);
+            if (surface->colour_by) result.colours = store.volume(surface->colour_by->image_id);
+            if (quality.isosurface.method == model::SurfaceMethod::kMarchingCubes && layer.opacity >= 1) {
+                result.triangles = triangles.get(device, store.scalars(surface->dataset_id),
+                                                 surface->isovalue.value_or(result.volume->valueSplit()));
+            }
         }
         return result;
+    }
+
+    /// Gives the layers of a planned frame that are lit by paths from pixels what these need.
+    void lightByPaths(DrawList& list) {
+        for (const plan::PassPlan& pass : list.plan->passes) {
+            if (pass.kind != plan::PassKind::kPixelPaths) continue;
+            const auto layer = static_cast<std::size_t>(pass.layer);
+            const model::Scene& scene = list.plan->resolved.scene;
+            const model::Illumination& wanted = *scene.light.illumination;
+            const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
+            DrawnLayer& drawn = list.layers[layer];
+            drawn.path_light = path_lights.get(device, drawn.volume, wanted, map, scene.layers[layer].surface().colour);
+        }
     }
 
     /// What the plan has to know about a layer.
@@ -163,6 +184,7 @@ struct Renderer::Impl {
             facts.value_max = layer.volume->valueMax();
             facts.value_split = layer.volume->valueSplit();
             facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            if (layer.colours) facts.colours = {layer.colours->valueMin(), layer.colours->valueMax()};
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -235,6 +257,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     impl_->lattices.prepare(
         {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
         impl_->store);
+    impl_->lightByPaths(list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -257,7 +280,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     }
     if (buffers.samples == request.quality.samples) settle();
     if (global) impl_->lattices.save(list, impl_->store);
-    if (global) frame.info.illumination = illuminationInfo(list);
+    if (global) {
+        frame.info.illumination =
+            plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+    }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     impl_->drawer.resolve(buffers, list);

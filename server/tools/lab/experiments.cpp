@@ -38,6 +38,8 @@ const std::vector<Experiment>& experiments() {
          wymanTable2},
         {"wyman-fig6", "Wyman et al. 2006, Fig. 6: error by the texels that light a point", wymanFig6},
         {"wyman-fig7", "Wyman et al. 2006, Fig. 7: error by samples per texel, of irradiance and of transfer", wymanFig7},
+        {"wyman-fig9", "Wyman et al. 2006, Fig. 9: one view by local shadings, vicinity and full light; time and likeness to the truth",
+         wymanFig9},
         {"wyman-fig12", "Wyman et al. 2006, Fig. 12: error by resolution of the lattice; texels on the shown surface",
          wymanFig12},
         {"wyman-table1", "Wyman et al. 2006, Table 1: seconds for the texels of a view, for all, and by path tracing", wymanTable1},

@@ -25,6 +25,7 @@ Report isosurfaceHits(gpu::Device& device, const Options& options);
 Report wymanFig5(gpu::Device& device, const Options& options);
 Report wymanFig6(gpu::Device& device, const Options& options);
 Report wymanFig7(gpu::Device& device, const Options& options);
+Report wymanFig9(gpu::Device& device, const Options& options);
 Report wymanFig12(gpu::Device& device, const Options& options);
 Report wymanTable2(gpu::Device& device, const Options& options);
 Report wymanTable1(gpu::Device& device, const Options& options);
