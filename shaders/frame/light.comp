@@ -63,7 +63,9 @@ void main() {
         if (isKind(look, LAYER_SURFACE)) base = baseColour(look, surface.who, vec3(1.0));
         bool line = false;
         float dimmed = 1.0;
-        if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
+        if (isKind(look, LAYER_TRACTS)) {
+            base = fibreColour(look, surface.who, ray.origin + surface.depth * ray.direction, at, line, dimmed);
+        }
         vec3 lit = vec3(-1.0);
         if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
         if (lit.x < 0.0) {

@@ -63,6 +63,7 @@ struct FibletLayerParams {
     uint64_t codes;       // uint[]
     uint64_t boxes;       // FibletBox[fiblets]
     uint64_t states;      // FIBRE_SHOWN, ... of each fibre, four bytes to a word; 0: all are shown
+    uint64_t segments;    // uint64_t[fiblets]: bit i says that segment i is shown; 0: all are
     uint64_t words;       // uint64_t[pixels]: order of depths << 32 | who
     uint64_t tangents;    // uint64_t[pixels]: direction << 32 | who
     uint64_t visible;     // one bit per fiblet: won a pixel of the latest picture
@@ -75,7 +76,7 @@ struct FibletLayerParams {
     uint layer;
     uint pyramid_levels;
 };
-STATIC_SIZE(FibletLayerParams, 392);
+STATIC_SIZE(FibletLayerParams, 400);
 
 // Written by the device.
 struct FibletCounts {
