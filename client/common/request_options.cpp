@@ -165,8 +165,11 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     std::string only;
     int count = 0;
     for (const v1::Dataset& dataset : response.datasets()) {
-        // Volumes of numbers colour glyphs and have none; tractograms are named by --tracts.
-        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM) continue;
+        // Volumes of numbers and meshes have no glyphs; tractograms are named by --tracts.
+        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM ||
+            dataset.kind() == v1::DATASET_KIND_MESH) {
+            continue;
+        }
         ids += (ids.empty() ? "" : ", ") + dataset.id();
         only = dataset.id();
         ++count;

@@ -251,6 +251,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     }
     markFirst(plan.passes);
     planVeil(plan);
+    planPeels(plan);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);

@@ -18,6 +18,8 @@ layout(constant_id = 4) const bool kLines = true;    // the others as lines
 layout(constant_id = 5) const bool kSelection = false;  // fibres have states
 layout(constant_id = 7) const bool kSegments = false;     // single segments are left out
 layout(constant_id = 8) const bool kExactWidth = false;   // lines have their width across, not along a column or row
+layout(constant_id = 9) const bool kPeel = false;         // only what lies behind the segment composed last
+layout(constant_id = 10) const bool kCounting = false;    // segments before what is opaque are counted
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
 
 layout(push_constant, scalar) uniform Push {
@@ -27,12 +29,15 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 FibletView view;
-WordBuffer words, tangents;
+WordBuffer words, tangents, peeled;
+UintBuffer fragments;
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, uint direction) {
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
+    if (kPeel && word <= peeled.at[pixel]) return;
+    if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
     if (words.at[pixel] < word) return;
     if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
 }
@@ -124,6 +129,8 @@ void main() {
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
+    if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
+    if (kCounting) fragments = UintBuffer(layer.fragments);
     FibletWalk walk = beginWalk(layer, fiblet);
     bool tube = kTubes, line = kLines;
     if (kSelection) {

@@ -50,6 +50,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runRasterSurface(pass_run, pass);
         case plan::PassKind::kFiblets:
             return runFiblets(pass_run, pass, fiblet_pace_);
+        case plan::PassKind::kFibletPeels:
+            return runFibletPeels(pass_run, pass, fiblet_pace_);
         case plan::PassKind::kClear:
             return runClear(pass_run, pass);
         case plan::PassKind::kIsosurfaceTrace:
@@ -70,6 +72,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         if (sample == 0) {
             target.samples = 0;
             target.settled = false;
+            target.approximate = false;
             target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillIsosurfaceParameters(device_, target, list);

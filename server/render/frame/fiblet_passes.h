@@ -15,4 +15,9 @@ struct FibletPace {
 /// All passes of the layer, in bounded submissions.
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 
+/// A transparent layer into the veil: its segments from the front, one per pixel and peel, until less than 1/512 of what lies behind
+/// is seen. Of a moving picture (DrawList::moving) four peels, the last of which stands for all behind it, with the right
+/// transparency.
+void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
+
 }  // namespace radiata::render

@@ -6,7 +6,7 @@ namespace radiata::render {
 namespace {
 
 struct LightPush {
-    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light;
+    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light, peel;
 };
 struct ResolvePush {
     std::uint64_t light, picture;
@@ -37,7 +37,27 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                           LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
                                     run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
                                     media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
-                                    global ? target.global_light.address() : 0});
+                                    global ? target.global_light.address() : 0, 0});
+}
+
+void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail) {
+    const Target::Impl& target = run.target;
+    const plan::FramePlan& plan = *run.list.plan;
+    const std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                               first ? 1U : 0U,
+                                               plan.colour_modes,
+                                               0U,
+                                               1U << shader::LAYER_TRACTS,
+                                               plan.fibre_colours,
+                                               0U,
+                                               plan.fibre_occlusion ? 1U : 0U,
+                                               plan.fibre_halos ? 1U : 0U,
+                                               0U,
+                                               1U,
+                                               tail ? 1U : 0U};
+    run.recorder.dispatch(run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
+                          LightPush{run.frameAddress(), target.peel_surface.address(), 0,
+                                    run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0, target.veil.address(), 0, layer});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {
