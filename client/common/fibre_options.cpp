@@ -32,7 +32,7 @@ bool anyOption(const FibreOptions& options) {
            !options.fibres.empty() || !options.length.empty() || !options.select_groups.empty() ||
            !options.select_fibres.empty() || options.hide_unselected || options.exact_width || !options.near.empty() ||
            !options.show.empty() || !options.select.empty() || !options.inside.empty() || !options.outside.empty() ||
-           !options.criteria.empty();
+           !options.criteria.empty() || options.opacity;
 }
 
 template <typename Message>
@@ -147,7 +147,9 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
 
 void addFibres(v1::Scene& scene, const FibreOptions& options) {
     if (!options.dataset.empty()) {
-        setFibres(*scene.add_layers()->mutable_tractogram(), options);
+        v1::Layer& layer = *scene.add_layers();
+        if (options.opacity) layer.set_opacity(*options.opacity);
+        setFibres(*layer.mutable_tractogram(), options);
     } else if (anyOption(options)) {
         throw ClientError(ExitCode::kUsage, "options of fibres need --tracts ID, the tractogram that is shown");
     }
@@ -208,6 +210,8 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
                    "Show only what has values of a column within bounds: fibres, or segments for columns per point; may be repeated")
         ->take_all()
         ->type_name("COLUMN,LOW,HIGH");
+    app.add_option("--fibre-opacity", options.opacity,
+                   "Opacity of the fibres, above 0, up to 1: what is behind shines through, in the right order (default 1)");
     app.add_flag("--exact-width", options.exact_width, "Lines have their width across, so that many samples show their true coverage");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")

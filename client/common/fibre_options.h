@@ -33,6 +33,7 @@ struct FibreOptions {
     std::vector<std::string> inside, outside;    ///< regions
     std::vector<std::string> criteria;           ///< COLUMN,LOW,HIGH
     std::string pipeline, culling;
+    std::optional<float> opacity;
     std::string frozen;  ///< camera: file or JSON
 };
 

@@ -258,6 +258,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
+    if (plan.resolved.quality.fxaa) plan.passes.push_back({PassKind::kFxaa, "fxaa", "fxaa", -1});
     return plan;
 }
 

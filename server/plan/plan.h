@@ -84,7 +84,8 @@ enum class PassKind {
     kShadow,
     kOcclusion,
     kLight,
-    kResolve
+    kResolve,
+    kFxaa  ///< smooths a resolved picture of one sample
 };
 
 /// One pass, in order of execution.

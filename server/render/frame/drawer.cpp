@@ -63,6 +63,7 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
+        case plan::PassKind::kFxaa:
             return;  // after the last sample, by resolve()
     }
 }

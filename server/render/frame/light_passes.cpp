@@ -13,6 +13,11 @@ struct ResolvePush {
     std::uint32_t pixels, samples;
 };
 
+struct FxaaPush {
+    std::uint64_t source, picture;
+    int width, height;
+};
+
 }  // namespace
 
 void runLight(PassRun& run, const plan::PassPlan& pass) {
@@ -61,10 +66,17 @@ void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bo
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {
-    const Target::Impl& target = run.target;
+    Target::Impl& target = run.target;
+    const bool smooth = run.list.plan->resolved.quality.fxaa && target.samples == 1;
+    if (smooth) ensureBytes(run.device, target.fxaa_source, 4 * run.pixels(), gpu::Memory::kDevice, "picture before FXAA");
+    const std::uint64_t resolved = smooth ? target.fxaa_source.address() : target.picture.address();
     run.recorder.dispatch(run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name, PassRun::groups(run.pixels()), 1, 1,
-                          ResolvePush{target.light.address(), target.picture.address(),
-                                      static_cast<std::uint32_t>(run.pixels()), static_cast<std::uint32_t>(target.samples)});
+                          ResolvePush{target.light.address(), resolved, static_cast<std::uint32_t>(run.pixels()),
+                                      static_cast<std::uint32_t>(target.samples)});
+    if (smooth) {
+        run.recorder.dispatch(run.pipelines.get("fxaa", {PassRun::kGroup}), "fxaa", PassRun::groups(run.pixels()), 1, 1,
+                              FxaaPush{resolved, target.picture.address(), target.width, target.height});
+    }
     run.recorder.submitAndWait();
 }
 
