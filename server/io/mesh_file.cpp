@@ -154,11 +154,12 @@ private:
 
     model::TriangleMesh readBinary(std::uint32_t count) {
         for (std::uint32_t t = 0; t < count; ++t) {
-            std::array<glm::vec3, 3> corners;
+            std::array<float, 9> corners;
             std::memcpy(corners.data(), text_.data() + kStlHeader + t * kStlTriangle + 12, 36);
             glm::uvec3 triangle(0);
             for (int i = 0; i < 3; ++i) {
-                const glm::vec3& corner = corners[static_cast<std::size_t>(i)];
+                const float* three = &corners[static_cast<std::size_t>(3 * i)];
+                const glm::vec3 corner(three[0], three[1], three[2]);
                 if (!usable(corner)) {
                     throw Error(Code::kCorrupt, mesh_.source + ": triangle " + std::to_string(t) +
                                                     " has a coordinate that is not finite or farther than 100 m away");

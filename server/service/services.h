@@ -41,11 +41,13 @@ private:
     session::Conductor& conductor_;
 };
 
-class PickService final : public v1::PickService::WithRawCallbackMethod_Pick<v1::PickService::Service> {
+class PickService final : public v1::PickService::WithRawCallbackMethod_Pick<
+                              v1::PickService::WithRawCallbackMethod_PickFibres<v1::PickService::Service>> {
 public:
     PickService(session::Conductor& conductor, Worker& worker, const ViewIds& ids)
         : conductor_(conductor), worker_(worker), ids_(ids) {}
     grpc::ServerUnaryReactor* Pick(Context* context, const Bytes* request, Bytes* response) override;
+    grpc::ServerUnaryReactor* PickFibres(Context* context, const Bytes* request, Bytes* response) override;
 
 private:
     session::Conductor& conductor_;

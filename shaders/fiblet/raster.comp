@@ -20,6 +20,7 @@ layout(constant_id = 7) const bool kSegments = false;     // single segments are
 layout(constant_id = 8) const bool kExactWidth = false;   // lines have their width across, not along a column or row
 layout(constant_id = 9) const bool kPeel = false;         // only what lies behind the segment composed last
 layout(constant_id = 10) const bool kCounting = false;    // segments before what is opaque are counted
+layout(constant_id = 11) const bool kFinding = false;     // fibres in an outline are noted, nothing is drawn
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
 
 layout(push_constant, scalar) uniform Push {
@@ -30,11 +31,17 @@ layout(push_constant, scalar) uniform Push {
 
 FibletView view;
 WordBuffer words, tangents, peeled;
-UintBuffer fragments;
+UintBuffer fragments, inside, found;
+uint fibre;
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, uint direction) {
+    if (kFinding) {
+        const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
+        if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
+        return;
+    }
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
     if (kPeel && word <= peeled.at[pixel]) return;
     if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
@@ -132,6 +139,11 @@ void main() {
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
     if (kCounting) fragments = UintBuffer(layer.fragments);
     FibletWalk walk = beginWalk(layer, fiblet);
+    fibre = walk.fibre;
+    if (kFinding) {
+        inside = UintBuffer(layer.inside);
+        found = UintBuffer(layer.found);
+    }
     bool tube = kTubes, line = kLines;
     if (kSelection) {
         const uint state = fibreState(layer, walk.fibre);

@@ -66,6 +66,8 @@ struct FibletLayerParams {
     uint64_t segments;    // uint64_t[fiblets]: bit i says that segment i is shown; 0: all are
     uint64_t peeled;      // uint64_t[pixels]: of transparent layers, the word that was composed last; before the first, what is opaque
     uint64_t fragments;   // uint[pixels]: of transparent layers while moving, segments before what is opaque
+    uint64_t inside;      // one bit per pixel: it counts for what is found
+    uint64_t found;       // one bit per fibre: it is drawn through such a pixel
     uint64_t words;       // uint64_t[pixels]: order of depths << 32 | who
     uint64_t tangents;    // uint64_t[pixels]: direction << 32 | who
     uint64_t visible;     // one bit per fiblet: won a pixel of the latest picture
@@ -78,7 +80,7 @@ struct FibletLayerParams {
     uint layer;
     uint pyramid_levels;
 };
-STATIC_SIZE(FibletLayerParams, 416);
+STATIC_SIZE(FibletLayerParams, 432);
 
 // Written by the device.
 struct FibletCounts {

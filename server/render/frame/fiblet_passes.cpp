@@ -95,6 +95,16 @@ public:
         }
     }
 
+    void findThrough(std::uint64_t inside, std::uint64_t found) {
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        own_.layer().inside = inside;
+        own_.layer().found = found;
+        own_.counts() = {};
+        finding_ = true;
+        if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) drawPeel();
+        own_.knows_visible = false;
+    }
+
 private:
     /// The nearest segments that are not composed yet.
     void drawPeel() {
@@ -186,7 +196,7 @@ private:
             run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
                                                  plan_.lines ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
                                                  plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U,
-                                                 peeling_ ? 1U : 0U, counting_ ? 1U : 0U});
+                                                 peeling_ ? 1U : 0U, counting_ ? 1U : 0U, finding_ ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -303,6 +313,7 @@ private:
     const FibletScene& scene_;
     FibletBuffers& own_;
     bool first_;  ///< nothing is in the surface buffer yet
+    bool finding_ = false;  ///< fibres in an outline are noted, nothing is drawn
     bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
 };
@@ -310,6 +321,11 @@ private:
 }  // namespace
 
 void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).drawPeels(); }
+
+void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found) {
+    FibletPace pace;
+    FibletRun(run, pass, pace).findThrough(inside, found);
+}
 
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).draw(); }
 

@@ -20,4 +20,8 @@ void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 /// transparency.
 void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 
+/// Sets the bits of fibres that are drawn through pixels, whatever hides them. \param inside  address of one bit per pixel of the target, 32 to a
+/// word \param found  address of one bit per fibre
+void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found);
+
 }  // namespace radiata::render

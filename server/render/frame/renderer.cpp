@@ -325,6 +325,17 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
 }
 
+std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
+                                                      bool through) {
+    model::validate(request, impl_->limits);
+    const model::OutlinePixels pixels = model::pixelsIn(outline, {request.width, request.height});
+    const model::FrameRequest pixel = pickRequest(request, 0, 0, 0, impl_->abilities);
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    DrawList list = impl_->prepare(pixel, plan, info);
+    return pickOutline(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, pixels, through);
+}
+
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {
     Target::Impl& buffers = *target.impl_;
     if (buffers.samples == 0 || !(buffers.request == request)) {
