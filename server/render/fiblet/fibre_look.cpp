@@ -119,10 +119,18 @@ void FibreColours::setDistances(gpu::Device& device, const model::FibletSet& set
 
 FibreColours::FibreColours(gpu::Device& device, const model::FibletSet& set, const model::FibreColour& colour,
                            const FibreSelector& selector) {
-    if (colour.mode == model::FibreColourMode::kPointColumn) return setPoints(device, set, colour);
-    if (colour.mode == model::FibreColourMode::kDistance) return setDistances(device, set, colour, selector);
-    if (colour.mode == model::FibreColourMode::kEnds) return upload(device, fibreEnds(set));
-    const std::vector<float> values = fibreValues(set, colour);
+    if (colour.mode == model::FibreColourMode::kPointColumn) {
+        setPoints(device, set, colour);
+    } else if (colour.mode == model::FibreColourMode::kDistance) {
+        setDistances(device, set, colour, selector);
+    } else if (colour.mode == model::FibreColourMode::kEnds) {
+        upload(device, fibreEnds(set));
+    } else {
+        setFibres(device, fibreValues(set, colour));
+    }
+}
+
+void FibreColours::setFibres(gpu::Device& device, const std::vector<float>& values) {
     if (values.empty()) return;
     upload(device, values);
     float low = std::numeric_limits<float>::infinity(), high = -low;

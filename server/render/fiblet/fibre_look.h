@@ -33,6 +33,7 @@ public:
     float valueMax() const { return value_max_; }
 
 private:
+    void setFibres(gpu::Device& device, const std::vector<float>& values);
     void setPoints(gpu::Device& device, const model::FibletSet& set, const model::FibreColour& colour);
     void setDistances(gpu::Device& device, const model::FibletSet& set, const model::FibreColour& colour,
                       const FibreSelector& selector);
