@@ -57,15 +57,19 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
                 call->refuse(currentStatus());
             }
         };
-        if (conductor_.backend().resident(picture)) return conductor_.post(trace);
-        worker_.post([this, call, picture, trace] {
-            try {
-                conductor_.backend().load(picture);
-                conductor_.post(trace);
-            } catch (...) {
-                call->refuse(currentStatus());
-            }
-        });
+        afterLoading(call, picture, trace);
+    });
+}
+
+void PickService::afterLoading(UnaryCall* call, const model::FrameRequest& picture, const std::function<void()>& task) {
+    if (conductor_.backend().resident(picture)) return conductor_.post(task);
+    worker_.post([this, call, picture, task] {
+        try {
+            conductor_.backend().load(picture);
+            conductor_.post(task);
+        } catch (...) {
+            call->refuse(currentStatus());
+        }
     });
 }
 
@@ -78,7 +82,7 @@ grpc::ServerUnaryReactor* PickService::PickFibres(Context*, const Bytes* request
         model::pixelsIn(outline, {picture.width, picture.height});
         const bool through = message.through();
         const std::size_t most = message.fibres_max();
-        conductor_.post([this, call, picture, outline, through, most] {
+        const auto find = [this, call, picture, outline, through, most] {
             try {
                 v1::PickFibresResponse answer;
                 for (const model::PickedFibres& picked : conductor_.backend().pick_fibres(picture, outline, through)) {
@@ -93,7 +97,8 @@ grpc::ServerUnaryReactor* PickService::PickFibres(Context*, const Bytes* request
             } catch (...) {
                 call->refuse(currentStatus());
             }
-        });
+        };
+        afterLoading(call, picture, find);
     });
 }
 

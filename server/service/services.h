@@ -19,6 +19,8 @@ using Bytes = grpc::ByteBuffer;
 using Context = grpc::CallbackServerContext;
 using session::Worker;
 
+class UnaryCall;
+
 class ViewService final : public v1::ViewService::WithRawCallbackMethod_Open<
                               v1::ViewService::WithRawCallbackMethod_Update<v1::ViewService::Service>> {
 public:
@@ -49,6 +51,10 @@ public:
         : conductor_(conductor), worker_(worker), ids_(ids) {}
     grpc::ServerUnaryReactor* Pick(Context* context, const Bytes* request, Bytes* response) override;
     grpc::ServerUnaryReactor* PickFibres(Context* context, const Bytes* request, Bytes* response) override;
+
+private:
+    /// Runs the task on the render thread, once what the picture shows is loaded.
+    void afterLoading(UnaryCall* call, const model::FrameRequest& picture, const std::function<void()>& task);
 
 private:
     session::Conductor& conductor_;
