@@ -16,6 +16,11 @@ layout(constant_id = 2) const uint kCuts = 0u;
 layout(constant_id = 3) const bool kTubes = false;   // selected fibres as capsules
 layout(constant_id = 4) const bool kLines = true;    // the others as lines
 layout(constant_id = 5) const bool kSelection = false;  // fibres have states
+layout(constant_id = 7) const bool kSegments = false;     // single segments are left out
+layout(constant_id = 8) const bool kExactWidth = false;   // lines have their width across, not along a column or row
+layout(constant_id = 9) const bool kPeel = false;         // only what lies behind the segment composed last
+layout(constant_id = 10) const bool kCounting = false;    // segments before what is opaque are counted
+layout(constant_id = 11) const bool kFinding = false;     // fibres in an outline are noted, nothing is drawn
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
 
 layout(push_constant, scalar) uniform Push {
@@ -25,12 +30,21 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 FibletView view;
-WordBuffer words, tangents;
+WordBuffer words, tangents, peeled;
+UintBuffer fragments, inside, found;
+uint fibre;
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, uint direction) {
+    if (kFinding) {
+        const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
+        if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
+        return;
+    }
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
+    if (kPeel && word <= peeled.at[pixel]) return;
+    if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
     if (words.at[pixel] < word) return;
     if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
 }
@@ -49,6 +63,9 @@ void drawLine(vec4 a, vec4 b, uint who, uint direction) {
     const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const int begin = max(int(ceil(low - 0.5)), origin.x), end = min(int(ceil(high - 0.5)), origin.x + size.x);
     const int width = int(view.line_width);
+    // Half of what a strip of the line's width takes of a column that it crosses at a slant.
+    const float slope = (to.y - from.y) / max(abs(to.x - from.x), 1e-6);
+    const float half_strip = 0.5 * view.line_width * sqrt(1.0 + slope * slope);
     for (int i = begin; i < end; ++i) {
         const float share = clamp((float(i) + 0.5 - from.x) / (to.x - from.x), 0.0, 1.0);
         const float across = from.y + share * (to.y - from.y);
@@ -56,8 +73,12 @@ void drawLine(vec4 a, vec4 b, uint who, uint direction) {
         const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
         const float depth = a.z + s * (b.z - a.z);
         if (depth > view.far_depth || !(abs(across) < 1e6)) continue;
-        const int first = int(floor(across - 0.5 * float(width - 1))) - origin.y;
-        for (int j = max(first, 0); j < min(first + width, size.y); ++j) {
+        int first = int(floor(across - 0.5 * float(width - 1))) - origin.y, past = first + width;
+        if (kExactWidth) {
+            first = int(ceil(across - half_strip - 0.5)) - origin.y;
+            past = int(ceil(across + half_strip - 0.5)) - origin.y;
+        }
+        for (int j = max(first, 0); j < min(past, size.y); ++j) {
             const ivec2 at = columns ? ivec2(i - origin.x, j) : ivec2(j, i - origin.x);
             mark(uint(at.y * view.width + at.x), depth, who, direction);
         }
@@ -115,7 +136,14 @@ void main() {
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
+    if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
+    if (kCounting) fragments = UintBuffer(layer.fragments);
     FibletWalk walk = beginWalk(layer, fiblet);
+    fibre = walk.fibre;
+    if (kFinding) {
+        inside = UintBuffer(layer.inside);
+        found = UintBuffer(layer.found);
+    }
     bool tube = kTubes, line = kLines;
     if (kSelection) {
         const uint state = fibreState(layer, walk.fibre);
@@ -125,6 +153,11 @@ void main() {
             line = kLines && !tube;
         }
     }
+    uint64_t shown = 0ul;
+    if (kSegments) {
+        shown = WordBuffer(layer.segments).at[fiblet];
+        if (shown == 0ul) return;
+    }
     vec3 here = walk.pen.point;
     vec4 eye_here = fibletEyePoint(view, here);
     for (uint segment = 0u; segment < walk.segments; ++segment) {
@@ -133,7 +166,8 @@ void main() {
         const vec4 eye_next = fibletEyePoint(view, next);
         const uint who = fiblet << FIBLET_SEGMENT_BITS | segment;
         vec3 a = here, b = next;
-        if (kCuts == 0u || cutSegment(layer, a, b)) {
+        const bool left_out = kSegments && (shown >> segment & 1ul) == 0ul;
+        if (!left_out && (kCuts == 0u || cutSegment(layer, a, b))) {
             if (kTubes && tube) drawTube(a, b - a, who);
             if (kLines && line) {
                 vec4 eye_a = kCuts == 0u ? eye_here : fibletEyePoint(view, a);

@@ -105,7 +105,7 @@ export class Controls {
     this.settings = settings;
     const dataset = this.current(settings);
     if (!dataset) return;
-    const shown = datasets.filter(({ kind }) => kind !== DatasetKind.SCALAR_VOLUME && kind !== DatasetKind.ENVIRONMENT_MAP);
+    const shown = datasets.filter(({ kind }) => kind === DatasetKind.SH_IMAGE || kind === DatasetKind.TENSOR_IMAGE);
     options(this.dataset, shown.map(({ id }) => [id, id] as const), settings.datasetId);
     const colours = colourChoices(dataset, datasets);
     options(this.colour, colours.map((colour) => [colour, colour.replace("scalar:", "")] as const), settings.colour);

@@ -30,7 +30,7 @@ namespace radiata::render {
 struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const FibletScene> tracts;
-    std::shared_ptr<const FibreLook> fibres;              ///< of tracts
+    std::optional<FibreLook> fibres;                      ///< of tracts
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     std::shared_ptr<const store::VolumeDataset> colours;  ///< what colours an isosurface, if another volume does
@@ -50,6 +50,7 @@ struct DrawList {
     std::optional<plan::RebasedCamera> frozen;  ///< that fiblets are culled for, if not for the camera
     glm::vec2 pixel_offset{0};                  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
+    bool moving = false;   ///< transparent fibres are drawn fast
     bool settled = false;  ///< global light is that of a picture at rest
 };
 

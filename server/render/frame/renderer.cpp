@@ -7,6 +7,7 @@
 #include <list>
 
 #include "base/error.h"
+#include "build/fibre_selection.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
@@ -137,7 +138,7 @@ struct Renderer::Impl {
         }
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
-            result.fibres = tracts.look(device, result.tracts, *fibres);
+            result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -174,8 +175,9 @@ struct Renderer::Impl {
             plan::LayerFacts facts;
             facts.fibres = layer.fibres->shown();
             facts.fiblets = layer.tracts->fibletCount();
-            facts.value_min = static_cast<double>(layer.fibres->valueMin());
-            facts.value_max = static_cast<double>(layer.fibres->valueMax());
+            facts.segments_filtered = layer.fibres->segmentAddress() != 0;
+            facts.value_min = static_cast<double>(layer.fibres->colours->valueMin());
+            facts.value_max = static_cast<double>(layer.fibres->colours->valueMax());
             return facts;
         }
         if (layer.volume) {
@@ -269,8 +271,12 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
     };
+    list.moving = plan.usesPeels() && first_sample == 0 && count < request.quality.samples;
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
         if (sample > 0 && !settle()) break;
+        list.moving = list.moving && sample == 0;
+        // A picture that rests has its first sample drawn as the others are.
+        if (sample > 0 && buffers.approximate) impl_->drawer.drawSample(buffers, list, 0, cancel);
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
@@ -313,6 +319,17 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
     return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
+}
+
+std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
+                                                      bool through) {
+    model::validate(request, impl_->limits);
+    const model::OutlinePixels pixels = model::pixelsIn(outline, {request.width, request.height});
+    const model::FrameRequest pixel = pickRequest(request, 0, 0, 0, impl_->abilities);
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    DrawList list = impl_->prepare(pixel, plan, info);
+    return pickOutline(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, pixels, through);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {

@@ -51,6 +51,9 @@ struct Target::Impl {
     UncertaintyBuffers uncertainty;
     gpu::Buffer isosurfaces;           ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
     gpu::Buffer veil;                  ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
+    gpu::Buffer peel_surface;          ///< shader::Surface[pixels]; only once a scene has transparent fibres
+    gpu::Buffer fxaa_source;           ///< rgba8[pixels]; only once a picture was smoothed
+    bool approximate = false;          ///< the one sample has transparent fibres as they are drawn while moving
     gpu::Buffer global_light;          ///< vec3[pixels], of the latest sample; only once a scene has global light
     gpu::Buffer surface_looks;         ///< shader::SurfaceLook[layers]; only once an isosurface has one
     gpu::Buffer paths;                 ///< shader::PixelPaths[pixels], of the latest sample; only once pixels were path-traced
