@@ -69,12 +69,13 @@ struct TractogramLayer {
 /// How fiblets are drawn.
 enum class FibletPipeline { kAtomic };
 /// Which of them are.
-enum class FibletCulling { kTwoPhase, kFrustum, kNone };
+enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
 
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;
 constexpr float kTubeRadiusMaxMm = 100;
 constexpr float kFibreOcclusionMaxPx = 128;
 constexpr float kHaloMaxPx = 8;
+constexpr float kDetailMinPx = 0.05F, kDetailMaxPx = 16;
 
 }  // namespace radiata::model
