@@ -7,6 +7,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/boxes.glsl"
+#include "shaders/fiblet/visible.glsl"
 
 layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: those seen last; 2: the others, if not hidden
 layout(constant_id = 2) const float kMargin = 0.0;  // pixels beside a line
@@ -18,31 +19,8 @@ layout(push_constant, scalar) uniform Push {
     uint page_count;
 } push;
 
-bool hidden(FibletLayerParams layer, FibletFootprint footprint) {
-    const uint nearest = orderOfDepth(footprint.nearest);
-    const ivec2 extent = footprint.pixels.zw - footprint.pixels.xy;
-    // The finest level on which at most five by five entries stand above the footprint.
-    const int level = min(max(findMSB(max(extent.x, extent.y)) - 1, 0), int(layer.pyramid_levels));
-    ivec2 size = ivec2(layer.view.width, layer.view.height);
-    uint offset = 0u;
-    for (int i = 1; i <= level; ++i) {
-        if (i > 1) offset += uint(size.x * size.y);
-        size = (size + 1) / 2;
-    }
-    const ivec4 entries = footprint.pixels >> level;
-    for (int y = entries.y; y <= entries.w; ++y) {
-        for (int x = entries.x; x <= entries.z; ++x) {
-            const uint at = uint(y * size.x + x);
-            const uint farthest = level == 0 ? uint(WordBuffer(layer.words).at[at] >> 32) : UintBuffer(layer.pyramid).at[offset + at];
-            if (nearest <= farthest) return false;
-        }
-    }
-    return true;
-}
-
 bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
-    const FibletFootprint footprint = fibletFootprint(layer.view, low, high, kMargin, kTubes ? layer.view.tube_radius : 0.0);
-    return footprint.seen && !(kPhase == 2u && hidden(layer, footprint));
+    return fibletVisible(layer, low, high, kMargin, kTubes ? layer.view.tube_radius : 0.0, kPhase == 2u);
 }
 
 void main() {

@@ -61,9 +61,7 @@ public:
                 raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
                 own_.drawn = scene_.fibletCount();
             } else if (run_.list.frozen) {
-                cull(1, 0, orderPages());
-                raster(true, 0, own_.counts().listed);
-                own_.drawn = own_.counts().listed;
+                step(1, 0, orderPages());
             } else {
                 drawCulled();
             }
@@ -183,36 +181,34 @@ private:
 
     void drawCulled() {
         const std::uint32_t pages = orderPages();
-        std::uint32_t drawn = 0;
-        const auto drawListed = [&] {
-            const std::uint32_t listed = own_.counts().listed;
-            raster(true, drawn, listed);
-            drawn = listed;
-        };
+        own_.drawn = 0;
         if (!twoPhases()) {
-            cull(0, 0, pages);
-            drawListed();
-        } else {
-            const bool warm = own_.knows_visible;
-            if (warm) {
-                cull(1, 0, pages);
-                drawListed();
-            } else {
-                run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
-            }
-            std::uint32_t first = 0;
-            const std::span<const double> parts =
-                warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
-            for (const double part : parts) {
-                const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
-                run_.checkCancelled();
-                pyramid();
-                cull(2, first, end);
-                drawListed();
-                first = end;
-            }
+            step(0, 0, pages);
+            return;
         }
-        own_.drawn = drawn;
+        const bool warm = own_.knows_visible;
+        if (warm) {
+            step(1, 0, pages);
+        } else {
+            run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
+        }
+        std::uint32_t first = 0;
+        const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
+        for (const double part : parts) {
+            const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+            run_.checkCancelled();
+            pyramid();
+            step(2, first, end);
+            first = end;
+        }
+    }
+
+    /// Draws what a phase of culling leaves of some pages in their order.
+    void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
+        cull(phase, first, end);
+        const std::uint32_t listed = own_.counts().listed;
+        raster(true, static_cast<std::uint32_t>(own_.drawn), listed);
+        own_.drawn = listed;
     }
 
     void surface() {
