@@ -1,3 +1,19 @@
+# Headers that most files include anyway are compiled once; each file still names what it uses (the fuzzers are built without).
+# Targets of one kind (library or program) share one: radiata_precompiled(TARGET HEADERS...) makes it, radiata_reuses(TARGET OWNER)
+# takes it.
+set(RADIATA_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <random> <span>
+    <string> <vector> <glm/glm.hpp>)
+function(radiata_precompiled target)
+    if(NOT RADIATA_FUZZ)
+        target_precompile_headers(${target} PRIVATE ${RADIATA_COMMON_HEADERS} ${ARGN})
+    endif()
+endfunction()
+function(radiata_reuses target owner)
+    if(NOT RADIATA_FUZZ AND NOT target STREQUAL owner)
+        target_precompile_headers(${target} REUSE_FROM ${owner})
+    endif()
+endfunction()
+
 # One static library per folder: radiata_library(io base model) makes radiata_io from io/*.cpp.
 # What a library links states what it may include; tests/lint reads the includes and holds them against the same order.
 function(radiata_library name)
@@ -6,6 +22,11 @@ function(radiata_library name)
     if(sources)
         add_library(${target} STATIC ${sources})
         set(scope PUBLIC)
+        if(name STREQUAL base)
+            radiata_precompiled(${target})
+        elseif(NOT name MATCHES "^(gpu|service)$")
+            radiata_reuses(${target} radiata_base)
+        endif()
     else()
         add_library(${target} INTERFACE)
         set(scope INTERFACE)
