@@ -28,6 +28,7 @@ struct FibreOptions {
     std::vector<float> length;  ///< mm: low, high
     bool hide_unselected = false;
     std::string pipeline, culling;
+    std::optional<float> detail_px;
     std::string frozen;  ///< camera: file or JSON
 };
 

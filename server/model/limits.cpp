@@ -273,6 +273,12 @@ void validate(const FrameRequest& request, const Limits& limits) {
                    std::string(pipelineName(request.quality.fiblet_pipeline)) + ", which draws uncompressed points");
         }
     }
+    if (const std::optional<float> detail = request.quality.fiblet_detail_px) {
+        if (!(*detail >= kDetailMinPx && *detail <= kDetailMaxPx)) {
+            refuse("quality.fiblet_detail_px is " + std::to_string(*detail) + "; it must be " + std::to_string(kDetailMinPx) +
+                   " to " + std::to_string(kDetailMaxPx) + " pixels");
+        }
+    }
     checkTensorMarch(request.quality.tensor_march);
     checkIsosurfaces(request.quality.isosurface);
     if (request.quality.intersection == Intersection::kTessellated) validate(request.quality.tessellation);

@@ -80,12 +80,13 @@ inline bool drawsByRasteriser(FibletPipeline pipeline) {
     return pipeline != FibletPipeline::kAuto && pipeline != FibletPipeline::kAtomic && pipeline != FibletPipeline::kPoints;
 }
 /// Which of them are.
-enum class FibletCulling { kTwoPhase, kFrustum, kNone };
+enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
 
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;
 constexpr float kTubeRadiusMaxMm = 100;
 constexpr float kFibreOcclusionMaxPx = 128;
 constexpr float kHaloMaxPx = 8;
+constexpr float kDetailMinPx = 0.05F, kDetailMaxPx = 16;
 
 }  // namespace radiata::model

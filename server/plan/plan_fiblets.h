@@ -23,6 +23,7 @@ struct FibletPlan {
     std::uint32_t cuts = 0;
     int line_width_px = 1;
     float tube_radius_mm = 0;
+    float detail_px = 0;  ///< that lines may be off; 0: they are drawn as they are
 };
 
 /// Adds a layer's pass and its entry in plan.fiblets, and fills in its open choices.

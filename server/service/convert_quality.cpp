@@ -89,6 +89,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     result.fiblet_pipeline = pipelineOf(quality.fiblet_pipeline());
     result.fiblet_culling = cullingOf(quality.fiblet_culling());
     if (quality.has_frozen_culling()) result.frozen_culling = fromProto(quality.frozen_culling(), where + ".frozen_culling");
+    if (quality.has_fiblet_detail_px()) result.fiblet_detail_px = quality.fiblet_detail_px();
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     result.intersection = methodOf(quality.intersection());
@@ -131,6 +132,7 @@ v1::Quality toProto(const model::Quality& quality) {
     message.set_fiblet_pipeline(pipelineOf(quality.fiblet_pipeline));
     message.set_fiblet_culling(cullingOf(quality.fiblet_culling));
     if (quality.frozen_culling) *message.mutable_frozen_culling() = toProto(*quality.frozen_culling);
+    if (quality.fiblet_detail_px) message.set_fiblet_detail_px(*quality.fiblet_detail_px);
     *message.mutable_isosurface() = toProto(quality.isosurface);
     message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
     message.set_intersection(methodOf(quality.intersection));

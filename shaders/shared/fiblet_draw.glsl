@@ -74,8 +74,11 @@ struct FibletLayerParams {
     uint page_count;
     uint layer;
     uint pyramid_levels;
+    uint64_t next;    // uint[fiblets]: that goes on along the fibre, or FIBLET_NOBODY; 0: nobody looks at it
+    float detail_px;  // pixels that lines may be off
+    float end_slack;  // mm that a fiblet's end may be from the start of the next
 };
-STATIC_SIZE(FibletLayerParams, 392);
+STATIC_SIZE(FibletLayerParams, 408);
 
 // A decoded fiblet on its way to the rasteriser.
 struct FibletSlot {
@@ -97,7 +100,7 @@ struct FibletCounts {
     uint listed;    // fiblets in the list
     uint pages;     // that were looked into
     uint repaired;  // pixels whose tangent another fiblet had overwritten
-    uint pad;
+    uint error_px;  // bits of a float: largest bound on how far a simplified line is off
 };
 STATIC_SIZE(FibletCounts, 16);
 

@@ -27,7 +27,7 @@ struct TangentsPush {
 };
 struct PagesPush {
     std::uint64_t layer;
-    std::uint32_t first_page;
+    std::uint32_t first, end;
 };
 struct MergePush {
     std::uint64_t layer, image, depth;
@@ -124,6 +124,8 @@ void FibletLines::draw(bool listed, std::uint32_t first, std::uint32_t end) {
         strips();
     } else if (plan_.pipeline == model::FibletPipeline::kPull) {
         pull(listed, first, end);
+    } else if (plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial) {
+        meshes(first, end);
     } else {
         const gpu::GraphicsPipeline& drawing = pipeline(0, listed, false);
         while (first < end) {
@@ -147,11 +149,25 @@ void FibletLines::drawPages(std::uint32_t phase, std::uint32_t first, std::uint3
         const auto pages = static_cast<std::uint32_t>(std::min(pace_.fiblets / shader::FIBLET_PAGE, 1e6));
         const std::uint32_t count = std::min({end - first, std::max(pages, 1U), kPagesAtOnce});
         run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, images, gpu::MeshDraw{count},
-                                PagesPush{own_.layerAddress(), first});
+                                PagesPush{own_.layerAddress(), first, 0});
         submit(std::uint64_t{count} * shader::FIBLET_PAGE);
         first += count;
     }
     merge();
+}
+
+void FibletLines::meshes(std::uint32_t first, std::uint32_t end) {
+    constexpr std::uint32_t kListed = 4;  // phase of strip.task
+    const gpu::GraphicsPipeline& drawing = pipeline(kListed, false, false);
+    while (first < end) {
+        run_.checkCancelled();
+        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, double{kPagesAtOnce} * shader::FIBLET_PAGE));
+        const std::uint32_t count = std::min(end - first, wanted);
+        run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, run_.target.fiblet_lines->images,
+                                gpu::MeshDraw{PassRun::groups(count)}, PagesPush{own_.layerAddress(), first, first + count});
+        submit(count);
+        first += count;
+    }
 }
 
 void FibletLines::pull(bool listed, std::uint32_t first, std::uint32_t end) {

@@ -50,6 +50,7 @@ public:
 private:
     const gpu::GraphicsPipeline& pipeline(std::uint32_t phase, bool listed, bool counts);
     void pull(bool listed, std::uint32_t first, std::uint32_t end);
+    void meshes(std::uint32_t first, std::uint32_t end);
     void strips();
     void points();
     void merge();

@@ -8,6 +8,7 @@
 
 #include "plan/fiblet_view.h"
 #include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_coverage.h"
 
 namespace radiata::render {
 namespace {
@@ -80,6 +81,15 @@ private:
         return plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial;
     }
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
+    bool coverage() const { return plan_.culling == model::FibletCulling::kCoverage; }
+
+    /// Segments that may become one line: a power of two, by which a line is about four pixels long.
+    std::uint32_t detailSegments(const shader::FibletView& view) const {
+        if (!(plan_.detail_px > 0)) return 0;
+        const double segment_px = static_cast<double>(scene_.set().codec.step_mm * glm::length(view.right));
+        const double wanted = std::log2(4 / std::max(segment_px, 1e-3));
+        return 1U << static_cast<std::uint32_t>(std::clamp(std::round(wanted), 0.0, 5.0));
+    }
 
     /// Lets `visible` be what is seen from the frozen camera.
     void freeze() {
@@ -106,13 +116,20 @@ private:
                                                    reference_mm - origin, scene_.reachMm());
         view.line_width = static_cast<float>(plan_.line_width_px);
         view.tube_radius = plan_.tube_radius_mm;
-        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone);
+        const bool ends = plan_.detail_px > 0 || coverage();
+        // Lines to the start of the next fiblet leave the box of what is decoded by the codec's error.
+        const double end_slack = ends ? 2e-3 * scene_.set().errors.max_um : 0;
+        view.rounding += static_cast<float>(end_slack);
+        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone, ends);
         std::vector<shader::FibletCut> cuts;
         for (const model::FibreCut& cut : whole.scene.layers[index_].tracts().cuts) {
             const glm::dvec3 normal = glm::normalize(cut.normal);
             cuts.push_back({glm::vec3(normal), static_cast<float>(glm::dot(normal, cut.point_mm - origin))});
         }
         own_.fill(scene_, view, cuts, run_.list.layers[index_].fibres->stateAddress(), static_cast<std::uint32_t>(index_));
+        own_.layer().end_slack = static_cast<float>(end_slack);
+        own_.layer().detail_px = plan_.detail_px;
+        detail_ = detailSegments(view);
         own_.drawn = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
     }
@@ -134,9 +151,10 @@ private:
 
     /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
-                              plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                                                 plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U,
+                                                 plan_.selected_only ? 1U : 0U, detail_, coverage() ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -191,6 +209,13 @@ private:
     void drawCulled() {
         const std::uint32_t pages = orderPages();
         own_.drawn = 0;
+        if (coverage()) {
+            if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();
+            own_.coverage->cull(run_, plan_, scene_, own_, suffix_);
+            submit(0);
+            drawListed(true);
+            return;
+        }
         if (!twoPhases()) {
             step(0, 0, pages);
             return;
@@ -217,8 +242,13 @@ private:
         const bool mesh_lines = meshes() && plan_.lines;
         if (mesh_lines) lines_.drawPages(phase, first, end, !plan_.tubes);
         if (!mesh_lines || plan_.tubes) cull(phase, first, end);
+        drawListed(!mesh_lines);
+    }
+
+    /// What is new in the list. \param lines  not only tubes
+    void drawListed(bool lines) {
         const std::uint32_t listed = own_.counts().listed, drawn = static_cast<std::uint32_t>(own_.drawn);
-        if (!atomic() && !meshes() && plan_.lines) lines_.draw(true, drawn, listed);
+        if (!atomic() && lines && plan_.lines) lines_.draw(true, drawn, listed);
         if (atomic() || plan_.tubes) raster(true, drawn, listed);
         own_.drawn = listed;
     }
@@ -248,6 +278,13 @@ private:
             submit(0);
         }
         own_.knows_visible = marks;
+        if (!coverage()) {
+            own_.coverage.reset();
+        } else if (own_.coverage && !run_.list.frozen) {
+            pyramid();
+            own_.coverage->remember(run_, scene_, own_, suffix_);
+            submit(0);
+        }
     }
 
     /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
@@ -265,6 +302,7 @@ private:
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
+    std::uint32_t detail_ = 0;
     bool first_;  ///< nothing is in the surface buffer yet
     std::string suffix_;
     FibletLines lines_;

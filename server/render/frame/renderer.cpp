@@ -1,6 +1,7 @@
 #include "render/frame/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -11,6 +12,7 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
 #include "render/frame/illumination_passes.h"
@@ -70,6 +72,17 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
         } else {
             same->time_ms = timing.time_ms;
         }
+    }
+}
+
+/// What became of the layers' fiblets in the latest sample.
+void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) continue;
+        const FibletBuffers& own = *target.fiblets[i];
+        info.fiblets += list.layers[i].tracts->fibletCount();
+        info.fiblets_drawn += own.drawn;
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
     }
 }
 
@@ -308,6 +321,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     if (global) frame.info.illumination = illuminationInfo(list);
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
+    noteFiblets(buffers, list, frame.info);
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;

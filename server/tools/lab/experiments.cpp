@@ -45,6 +45,8 @@ const std::vector<Experiment>& experiments() {
          fibletCodec},
         {"schertzer-table1", "Schertzer et al. 2022, Table 1: sizes and errors of fiblets, the paper's layout and QFib",
          schertzerTable1},
+        {"schertzer-fig9", "Schertzer et al. 2022, Fig. 9: what the coverage buffer culls wrongly after turns of up to 60 degrees",
+         schertzerFig9},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
     };

@@ -30,6 +30,7 @@ Report wymanTable2(gpu::Device& device, const Options& options);
 Report illuminationPareto(gpu::Device& device, const Options& options);
 Report fibletCodec(gpu::Device& device, const Options& options);
 Report schertzerTable1(gpu::Device& device, const Options& options);
+Report schertzerFig9(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
