@@ -14,10 +14,10 @@ constexpr std::array kByRasteriser{Pipeline::kPull,     Pipeline::kMesh,        
                                    Pipeline::kGeometry, Pipeline::kTessellation, Pipeline::kLines};
 
 struct Differences {
-    int shown = 0;      ///< pixels of either picture
-    int fibre = 0;      ///< that show another fibre, or only one of the two something
-    int point = 0;      ///< of the same fibre, but more than one point off
-    double depth = 0;   ///< largest, mm, where the segment is the same
+    int shown = 0;     ///< pixels of either picture
+    int fibre = 0;     ///< that show another fibre, or only one of the two something
+    int point = 0;     ///< of the same fibre, but more than one point off
+    double depth = 0;  ///< largest, mm, where the segment is the same
 };
 
 Differences differences(const model::FramePixels& a, const model::FramePixels& b) {
@@ -61,12 +61,14 @@ TEST_F(FibrePipelines, ShowTheSameFibres) {
             request.quality.fiblet_pipeline = pipeline;
             const model::Frame frame = draw(request);
             const Differences d = differences(frame.pixels, atomic.pixels), e = differences(frame.pixels, pull.pixels);
-            std::cout << view << " " << model::pipelineName(pipeline) << ": shown " << d.shown << " fibre " << d.fibre << " point "
-                      << d.point << " depth " << d.depth << "; pull: " << e.fibre << " " << e.point << " " << e.depth << "\n";
+            std::cout << view << " " << model::pipelineName(pipeline) << ": shown " << d.shown << " fibre " << d.fibre
+                      << " point " << d.point << " depth " << d.depth << "; pull: " << e.fibre << " " << e.point << " "
+                      << e.depth << "\n";
         }
         request.quality.fiblet_pipeline = Pipeline::kPoints;
         const Differences d = differences(draw(request).pixels, atomic.pixels);
-        std::cout << view << " points: shown " << d.shown << " fibre " << d.fibre << " point " << d.point << " depth " << d.depth << "\n";
+        std::cout << view << " points: shown " << d.shown << " fibre " << d.fibre << " point " << d.point << " depth "
+                  << d.depth << "\n";
     }
 }
 
