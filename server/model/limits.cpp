@@ -127,7 +127,8 @@ void checkFilters(const TractogramLayer& tracts, const std::string& where) {
     checkText(tracts.shown.selection, "selection", where + ".shown.selection");
     if (tracts.selected) checkText(tracts.selected->selection, "selection", where + ".selected.selection");
     if (tracts.colour.mode == FibreColourMode::kDistance) {
-        if (tracts.colour.region.empty()) refuse(where + ".colour.distance.region is empty; it is one region, such as sphere(0, 0, 0, 5)");
+        if (tracts.colour.region.empty())
+            refuse(where + ".colour.distance.region is empty; it is one region, such as sphere(0, 0, 0, 5)");
         checkText(tracts.colour.region, "region", where + ".colour.distance.region");
     }
 }
@@ -321,6 +322,16 @@ void validate(const FrameRequest& request, const Limits& limits) {
         cameraFrame(*request.quality.frozen_culling);
         if (request.quality.fiblet_culling != FibletCulling::kTwoPhase) {
             refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that");
+        }
+        if (drawsUncompressed(request.quality.fiblet_pipeline)) {
+            refuse("quality.frozen_culling needs fiblets; quality.fiblet_pipeline is " +
+                   std::string(pipelineName(request.quality.fiblet_pipeline)) + ", which draws uncompressed points");
+        }
+    }
+    if (const std::optional<float> detail = request.quality.fiblet_detail_px) {
+        if (!(*detail >= kDetailMinPx && *detail <= kDetailMaxPx)) {
+            refuse("quality.fiblet_detail_px is " + std::to_string(*detail) + "; it must be " + std::to_string(kDetailMinPx) +
+                   " to " + std::to_string(kDetailMaxPx) + " pixels");
         }
     }
     checkTensorMarch(request.quality.tensor_march);

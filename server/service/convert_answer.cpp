@@ -59,6 +59,9 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
     counters->set_glyphs_available(info.glyphs_available);
     counters->set_hit_pixels(info.hit_pixels);
     counters->set_capped_rays(info.capped_rays);
+    counters->set_fiblets(info.fiblets);
+    counters->set_fiblets_drawn(info.fiblets_drawn);
+    counters->set_fiblet_error_px(info.fiblet_error_px);
     message.set_device(info.device);
     if (info.illumination) *message.mutable_illumination() = toProto(*info.illumination);
 }

@@ -1,7 +1,6 @@
 #include "store/store.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <mutex>
 
@@ -17,6 +16,7 @@
 #include "io/tensor_image.h"
 #include "io/tractogram.h"
 #include "store/catalog_ids.h"
+#include "store/dataset_infos.h"
 #include "store/environment_files.h"
 #include "store/glyph_dataset.h"
 #include "store/lattice_files.h"
@@ -29,61 +29,6 @@ namespace {
 
 model::DatasetKind kindOf(const io::StoredImage& header) {
     return header.size[3] == 1 ? model::DatasetKind::kScalarVolume : model::DatasetKind::kShImage;
-}
-
-model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    info.fibres = set.fibres();
-    info.points = set.points;
-    for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
-    for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
-    for (const model::PointColumn& column : set.point_columns) {
-        if (column.component == 0) info.vertex_columns.push_back(column.name);
-    }
-    info.error_mean_um = set.errors.mean_um;
-    info.error_max_um = set.errors.max_um;
-    glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
-    for (const shader::FibletPage& page : set.pages) {
-        low = glm::min(low, page.low);
-        high = glm::max(high, page.high);
-    }
-    if (set.pages.empty()) low = high = glm::vec3(0);
-    info.bounds_min = set.origin_mm + glm::dvec3(low);
-    info.bounds_max = set.origin_mm + glm::dvec3(high);
-    return info;
-}
-
-model::DatasetInfo meshInfo(const std::string& id, const model::TriangleMesh& mesh) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kMesh;
-    info.points = mesh.points.size();
-    info.triangles = mesh.triangles.size();
-    if (mesh.points.empty()) return info;
-    info.bounds_min = info.bounds_max = mesh.points.front();
-    for (const glm::vec3& point : mesh.points) {
-        info.bounds_min = glm::min(info.bounds_min, glm::dvec3(point));
-        info.bounds_max = glm::max(info.bounds_max, glm::dvec3(point));
-    }
-    return info;
-}
-
-/// What the header alone says, which may be wrong about counts.
-model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    try {
-        if (io::isFibletName(path)) return fibletInfo(id, io::readFibletHeader(path));
-        const auto source = io::openTractogram(path);
-        info.fibres = source->header().fibre_count.value_or(0);
-        info.points = source->header().point_count.value_or(0);
-    } catch (const Error&) {
-        // The list goes on; whoever asks for this dataset gets the reader's sentence.
-    }
-    return info;
 }
 
 }  // namespace
@@ -239,8 +184,8 @@ std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::strin
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->environment) {
-        throw Error(Code::kInvalidArgument,
-                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; light from all around needs an environment map");
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) +
+                                                "; light from all around needs an environment map");
     }
     return slot->environment;
 }

@@ -13,6 +13,7 @@
 #include "plan/plan.h"
 #include "render/fiblet/fiblet_scene.h"
 #include "render/fiblet/fibre_look.h"
+#include "render/fiblet/fibre_vertices.h"
 #include "render/frame/pipelines.h"
 #include "render/frame/surface_triangles.h"
 #include "render/frame/target.h"
@@ -31,6 +32,7 @@ struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const FibletScene> tracts;
     std::optional<FibreLook> fibres;                      ///< of tracts
+    std::shared_ptr<const FibreVertices> vertices;        ///< of tracts, for pipelines that draw uncompressed points
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     std::shared_ptr<const store::VolumeDataset> colours;  ///< what colours an isosurface, if another volume does

@@ -46,12 +46,12 @@ float wantedError(const DrawList& list) {
 /// One path more of each replicate, in all of the layer's pixels.
 void addPath(PassRun& run, const plan::PassPlan& pass, std::uint32_t path, BandSize& bands) {
     const auto layer = static_cast<std::size_t>(pass.layer);
-    run.dispatchBands(run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name,
-                      PathsPush{run.frameAddress(), isosurfaceAddress(run.target, layer), run.target.surface.address(),
-                                run.list.layers[layer].path_light->address(), run.target.paths.address(),
-                                run.target.global_light.address(), path, kLeastPaths, wantedError(run.list),
-                                childSeed(kSeed, static_cast<std::uint32_t>(run.sample)), 0},
-                      bands);
+    run.dispatchBands(
+        run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name,
+        PathsPush{run.frameAddress(), isosurfaceAddress(run.target, layer), run.target.surface.address(),
+                  run.list.layers[layer].path_light->address(), run.target.paths.address(), run.target.global_light.address(),
+                  path, kLeastPaths, wantedError(run.list), childSeed(kSeed, static_cast<std::uint32_t>(run.sample)), 0},
+        bands);
 }
 
 }  // namespace
@@ -111,6 +111,18 @@ model::IlluminationInfo pathInfo(gpu::Device& device, const Target::Impl& target
     std::ranges::nth_element(errors, at);
     info.p95_error = *at;
     return info;
+}
+
+void preparePaths(gpu::Device& device, PathLights& lights, store::Store& store, DrawList& list) {
+    for (const plan::PassPlan& pass : list.plan->passes) {
+        if (pass.kind != plan::PassKind::kPixelPaths) continue;
+        const auto layer = static_cast<std::size_t>(pass.layer);
+        const model::Scene& scene = list.plan->resolved.scene;
+        const model::Illumination& wanted = *scene.light.illumination;
+        const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
+        DrawnLayer& drawn = list.layers[layer];
+        drawn.path_light = lights.get(device, drawn.volume, wanted, map, scene.layers[layer].surface().colour);
+    }
 }
 
 }  // namespace radiata::render

@@ -1,6 +1,7 @@
 #include "render/frame/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -12,6 +13,8 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
 #include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
@@ -74,6 +77,17 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
     }
 }
 
+/// What became of the layers' fiblets in the latest sample.
+void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) continue;
+        const FibletBuffers& own = *target.fiblets[i];
+        info.fiblets += list.layers[i].tracts->fibletCount();
+        info.fiblets_drawn += own.drawn;
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
+    }
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -82,8 +96,9 @@ struct Renderer::Impl {
     model::Limits limits;
     Drawer drawer;
     plan::Abilities abilities;
+    std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
     FrameLattices lattices;
     PathLights path_lights;
     IsosurfaceTriangles triangles;
@@ -93,7 +108,7 @@ struct Renderer::Impl {
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
-        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
+        addFibreAbilities(device, abilities);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -139,6 +154,7 @@ struct Renderer::Impl {
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
             result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
+            if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -154,19 +170,6 @@ struct Renderer::Impl {
             }
         }
         return result;
-    }
-
-    /// Gives the layers of a planned frame that are lit by paths from pixels what these need.
-    void lightByPaths(DrawList& list) {
-        for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kPixelPaths) continue;
-            const auto layer = static_cast<std::size_t>(pass.layer);
-            const model::Scene& scene = list.plan->resolved.scene;
-            const model::Illumination& wanted = *scene.light.illumination;
-            const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
-            DrawnLayer& drawn = list.layers[layer];
-            drawn.path_light = path_lights.get(device, drawn.volume, wanted, map, scene.layers[layer].surface().colour);
-        }
     }
 
     /// What the plan has to know about a layer.
@@ -201,11 +204,26 @@ struct Renderer::Impl {
         return facts;
     }
 
+    /// Tests a way to draw fibres before its first use; plans refuse those that fail.
+    void testFibres(model::FibletPipeline wanted) {
+        using Pipeline = model::FibletPipeline;
+        const auto bit = [](Pipeline one) { return 1U << static_cast<unsigned>(one); };
+        if (wanted == Pipeline::kAuto) {
+            testFibres(Pipeline::kAtomic);
+            if ((abilities.failed_pipelines & bit(Pipeline::kAtomic)) != 0) testFibres(Pipeline::kPull);
+            return;
+        }
+        if ((tested_pipelines & bit(wanted)) != 0) return;
+        tested_pipelines |= bit(wanted);
+        if (!fibletPipelineWorks(device, drawer, wanted, abilities)) abilities.failed_pipelines |= bit(wanted);
+    }
+
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
         const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
+            if (layer.ifTracts()) testFibres(request.quality.fiblet_pipeline);
             list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
@@ -259,7 +277,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     impl_->lattices.prepare(
         {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
         impl_->store);
-    impl_->lightByPaths(list);
+    preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -287,11 +305,11 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     if (buffers.samples == request.quality.samples) settle();
     if (global) impl_->lattices.save(list, impl_->store);
     if (global) {
-        frame.info.illumination =
-            plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+        frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
+    noteFiblets(buffers, list, frame.info);
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
