@@ -16,7 +16,7 @@ struct Picture {
         return glm::dvec3(rgba[first], rgba[first + 1], rgba[first + 2]) / 255.0;
     }
     double brightness(int x, int y) const { return weighed(at(x, y)); }
-    static double weighed(const glm::dvec3& c) { return 0.299 * c.r + 0.587 * c.g + 0.114 * c.b; }
+    static double weighed(const glm::dvec3& c) { return 0.299 * c.x + 0.587 * c.y + 0.114 * c.z; }
 
     /// All pixels around, each by its hat function.
     glm::dvec3 between(const glm::dvec2& p) const {

@@ -56,7 +56,6 @@ private:
     /// Runs the task on the render thread, once what the picture shows is loaded.
     void afterLoading(UnaryCall* call, const model::FrameRequest& picture, const std::function<void()>& task);
 
-private:
     session::Conductor& conductor_;
     Worker& worker_;
     const ViewIds& ids_;

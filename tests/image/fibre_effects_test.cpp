@@ -15,7 +15,7 @@ namespace {
 class FibreEffects : public ImageTest {
 protected:
     void SetUp() override {
-        set = randomTractogram(31, 40, 150, 0.4, 10);
+        set = randomTractogram(31, 50, 200, 0.4, 5);
         store.add("fibres", set);
         request = fibreRequest("fibres", 96, 72);
         request.camera.eye_mm = {40, 30, 50};
@@ -138,7 +138,7 @@ TEST_F(FibreEffects, TransparencyComesToRest) {
 
 /// Behind a transparent layer stands what is opaque, and before it nothing of the layer.
 TEST_F(FibreEffects, TransparentFibresShareThePicture) {
-    store.add("others", randomTractogram(32, 40, 150, 0.4, 10));
+    store.add("others", randomTractogram(32, 50, 200, 0.4, 5));
     request.scene.layers.push_back(request.scene.layers[0]);
     request.scene.layers[1].tracts().dataset_id = "others";
     request.scene.layers[1].tracts().colour.uniform = {0, 0, 1};
@@ -168,7 +168,7 @@ TEST_F(FibreEffects, TransparentFibresShareThePicture) {
         }
     }
     EXPECT_GT(behind, 100);
-    EXPECT_GT(before, 50);
+    EXPECT_GT(before, 30);
 }
 
 /// Pictures of one sample equal the reference's to a step of 8 bits; of more they do not change.

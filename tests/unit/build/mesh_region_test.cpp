@@ -12,6 +12,7 @@
 #include "build/region_mesh.h"
 #include "io/mesh_file.h"
 #include "model/selection_text.h"
+#include "reference/winding_number.h"
 
 namespace radiata {
 namespace {
@@ -104,10 +105,49 @@ TEST(MeshRegion, AgreesWithABall) {
                 // The box is grown so far that what lies in the box asked for is right.
                 const glm::dvec3 p = grid.origin_mm + grid.step_mm * glm::dvec3(x, y, z);
                 const bool asked = p.x >= -5 && p.x <= 40 && p.y >= 10 && p.y <= 30 && p.z >= -20 && p.z <= 20;
-                if (asked) ASSERT_NEAR(static_cast<double>(grid.mm[node]), exact, 2 * grid.step_mm);
+                if (!asked) continue;
+                ASSERT_NEAR(static_cast<double>(grid.mm[node]), exact, 2 * grid.step_mm);
             }
         }
     }
+}
+
+/// A ring, turned: concave and with a hole. 5,000 points against how often the surface winds around them.
+TEST(MeshRegion, AgreesWithTheWindingNumber) {
+    model::TriangleMesh mesh;
+    const int around = 30, tube = 14;
+    const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3)), v = glm::normalize(glm::cross(u, glm::dvec3(0, 0, 1))), w = glm::cross(u, v);
+    for (int i = 0; i < around * tube; ++i) {
+        const double a = 2 * M_PI * (i / tube) / around, b = 2 * M_PI * (i % tube) / tube, r = 8 + 3 * std::cos(b);
+        mesh.points.emplace_back(r * std::cos(a) * u + r * std::sin(a) * v + 3 * std::sin(b) * w);
+    }
+    const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(i % around * tube + j % tube); };
+    for (int i = 0; i < around; ++i) {
+        for (int j = 0; j < tube; ++j) {
+            mesh.triangles.emplace_back(at(i, j), at(i + 1, j), at(i + 1, j + 1));
+            mesh.triangles.emplace_back(at(i, j), at(i + 1, j + 1), at(i, j + 1));
+        }
+    }
+    const auto region = meshVolume(mesh);
+    std::mt19937 random(8);
+    std::uniform_real_distribution<double> unit(-11, 11);
+    int inside = 0;
+    for (int i = 0; i < 5000; ++i) {
+        const glm::dvec3 p(unit(random), unit(random), unit(random));
+        const double winds = std::abs(reference::windingNumber(mesh, p));
+        ASSERT_NEAR(winds, std::round(winds), 1e-6);
+        ASSERT_EQ(region->contains(p), std::lround(winds) == 1) << i;
+        inside += region->contains(p);
+        // Boxes that are certain hold only such points.
+        const double half = 0.2 + 0.05 * (i % 20);
+        const BoxRelation relation = region->relate(p - half, p + half);
+        if (relation == BoxRelation::kUnknown) continue;
+        for (int c = 0; c < 8; ++c) {
+            const glm::dvec3 q = p + half * glm::dvec3(c & 1 ? 1 : -1, c & 2 ? 1 : -1, c & 4 ? 1 : -1);
+            ASSERT_EQ(std::lround(std::abs(reference::windingNumber(mesh, q))) == 1, relation == BoxRelation::kInside);
+        }
+    }
+    EXPECT_GT(inside, 300);
 }
 
 TEST(MeshRegion, RefusesOpenSurfaces) {
