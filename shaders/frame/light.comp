@@ -8,7 +8,6 @@
 #include "shaders/frame/base_colour.glsl"
 #include "shaders/frame/fibre_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
-#include "shaders/frame/surface_shading.glsl"
 #include "shaders/common/medium.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -17,6 +16,8 @@ layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kind
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
 layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;   // what no isosurface has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };

@@ -39,8 +39,7 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                           LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
                                     run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
                                     media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
-                                    global ? target.global_light.address() : 0,
-                                    surfaceLooksAddress(target, *run.list.plan)});
+                                    global ? target.global_light.address() : 0, surfaceLooksAddress(target, *run.list.plan)});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {

@@ -46,12 +46,12 @@ float wantedError(const DrawList& list) {
 /// One path more of each replicate, in all of the layer's pixels.
 void addPath(PassRun& run, const plan::PassPlan& pass, std::uint32_t path, BandSize& bands) {
     const auto layer = static_cast<std::size_t>(pass.layer);
-    run.dispatchBands(run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name,
-                      PathsPush{run.frameAddress(), isosurfaceAddress(run.target, layer), run.target.surface.address(),
-                                run.list.layers[layer].path_light->address(), run.target.paths.address(),
-                                run.target.global_light.address(), path, kLeastPaths, wantedError(run.list),
-                                childSeed(kSeed, static_cast<std::uint32_t>(run.sample)), 0},
-                      bands);
+    run.dispatchBands(
+        run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name,
+        PathsPush{run.frameAddress(), isosurfaceAddress(run.target, layer), run.target.surface.address(),
+                  run.list.layers[layer].path_light->address(), run.target.paths.address(), run.target.global_light.address(),
+                  path, kLeastPaths, wantedError(run.list), childSeed(kSeed, static_cast<std::uint32_t>(run.sample)), 0},
+        bands);
 }
 
 }  // namespace

@@ -301,8 +301,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     }
     if (buffers.samples == request.quality.samples) settle();
     if (global) {
-        frame.info.illumination =
-            plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+        frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
