@@ -84,8 +84,9 @@ void addIlluminationOptions(CLI::App& app, IlluminationOptions& options) {
                    "Light opaque isosurfaces with shadows and bounces: texels keep the irradiance of this light, or the "
                    "transfer of any")
         ->check(CLI::IsMember({"irradiance", "transfer"}));
-    app.add_option("--light-method", options.method,
-                   "How global light is found: texels beside the volume, or paths from each pixel, to compare with (default lattice)")
+    app.add_option(
+           "--light-method", options.method,
+           "How global light is found: texels beside the volume, or paths from each pixel, to compare with (default lattice)")
         ->check(CLI::IsMember({"lattice", "path-tracing"}));
     app.add_flag("--vicinity", options.vicinity, "Vicinity shading: global light of no bounces under a constant sky of 1");
     addVector(app, "--sky", options.sky, "Radiance of the sky, linear RGB (default 0.8 each)", "R,G,B");

@@ -95,7 +95,9 @@ void addIsosurfaceOptions(CLI::App& app, IsosurfaceOptions& options) {
            "A layer with the surface of a scalar volume: its catalogue id, the value (default: what splits the volume best "
            "in two), opacity, colour, another volume that colours it, its shading, and the share of fog at its far end; may be "
            "given several times. Without --dataset only surfaces are shown")
-        ->type_name("ID[:VALUE][,opacity=A][,colour=R/G/B][,colour-by=ID[/MAP[/LOW/HIGH]]][,shading=lambert|phong][,fog=F][,no-shadows]")
+        ->type_name(
+            "ID[:VALUE][,opacity=A][,colour=R/G/B][,colour-by=ID[/MAP[/LOW/"
+            "HIGH]]][,shading=lambert|phong][,fog=F][,no-shadows]")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     v1::IsosurfaceSettings& settings = options.settings;

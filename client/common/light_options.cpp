@@ -32,9 +32,10 @@ void addLightOptions(CLI::App& app, LightOptions& options) {
     app.add_option("--light-radius", options.angular_radius_deg,
                    "Half the angle under which the light of soft shadows is seen, degrees (default 5)");
     app.add_option("--shadow-rays", options.shadow_rays, "Rays towards the light of soft shadows, per sample (default 16)");
-    app.add_option("--shading", options.shading,
-                   "How isosurfaces are lit, those of Wyman et al.'s Fig. 9: lambert, lambert-fog and phong by local light, vicinity "
-                   "as --vicinity, full as --global-light irradiance (default scene)")
+    app.add_option(
+           "--shading", options.shading,
+           "How isosurfaces are lit, those of Wyman et al.'s Fig. 9: lambert, lambert-fog and phong by local light, vicinity "
+           "as --vicinity, full as --global-light irradiance (default scene)")
         ->check(CLI::IsMember({"scene", "lambert", "lambert-fog", "phong", "vicinity", "full"}));
     addIlluminationOptions(app, options.illumination);
     app.add_option("--ambient-occlusion", options.occlusion_rays, "Weaken the ambient light by so many rays per sample")

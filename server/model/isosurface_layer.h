@@ -30,13 +30,13 @@ struct IsosurfaceLayer {
     std::optional<float> isovalue;          ///< none: the value that splits the volume best in two
     glm::vec3 colour{0.75F, 0.68F, 0.55F};  ///< linear RGB; light that bounces off the surface has it
     SurfaceShading shading = SurfaceShading::kScene;
-    std::optional<float> fog{};  ///< share of the background at the far end of the volume's box; above 0, to 1
+    std::optional<float> fog{};               ///< share of the background at the far end of the volume's box; above 0, to 1
     std::optional<VolumeColour> colour_by{};  ///< what is seen in place of `colour`
     bool operator==(const IsosurfaceLayer&) const = default;
 };
 
-/// The cubic of each cell; steps and bisection; triangles of marching cubes, made anew for each isovalue. Of kMarchingCubes what
-/// light, shadows and transparent surfaces need beyond the first hits is traced exactly.
+/// The cubic of each cell; steps and bisection; triangles of marching cubes, made anew for each isovalue. Of kMarchingCubes
+/// what light, shadows and transparent surfaces need beyond the first hits is traced exactly.
 enum class SurfaceMethod { kExact, kMarchBisect, kMarchingCubes };
 enum class SurfaceNormals { kSpline, kTrilinear };
 

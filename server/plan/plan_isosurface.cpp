@@ -41,12 +41,15 @@ void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts,
     const std::string suffix = plan.resolved.scene.layers.size() > 1 ? " " + std::to_string(index) : "";
     if (plan.resolved.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes) {
         if (!abilities.raster) {
-            throw Error(Code::kUnsupported,
-                        "quality.isosurface.method is marching-cubes, but this device draws no triangles or failed the start-up "
-                        "self-test of drawing; use exact");
+            throw Error(
+                Code::kUnsupported,
+                "quality.isosurface.method is marching-cubes, but this device draws no triangles or failed the start-up "
+                "self-test of drawing; use exact");
         }
-        plan.passes.push_back({PassKind::kIsosurfaceMesh, "isosurface mesh" + suffix, "isosurface_mesh", static_cast<int>(index)});
-        plan.passes.push_back({PassKind::kRasterSurface, "isosurface surface" + suffix, "raster_surface", static_cast<int>(index)});
+        plan.passes.push_back(
+            {PassKind::kIsosurfaceMesh, "isosurface mesh" + suffix, "isosurface_mesh", static_cast<int>(index)});
+        plan.passes.push_back(
+            {PassKind::kRasterSurface, "isosurface surface" + suffix, "raster_surface", static_cast<int>(index)});
         return;
     }
     plan.passes.push_back(

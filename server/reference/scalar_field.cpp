@@ -129,7 +129,8 @@ glm::dvec3 ScalarField::splineGradient(const glm::dvec3& p) const {
     glm::dvec3 sum(0);
     for (std::size_t n = 0; n < 64; ++n) {
         const std::size_t i = n & 3U, j = n >> 2U & 3U, k = n >> 4U;
-        const double value = sample(x.first + static_cast<int>(i), y.first + static_cast<int>(j), z.first + static_cast<int>(k));
+        const double value =
+            sample(x.first + static_cast<int>(i), y.first + static_cast<int>(j), z.first + static_cast<int>(k));
         sum += value * glm::dvec3(x.slope[i] * y.weight[j] * z.weight[k], x.weight[i] * y.slope[j] * z.weight[k],
                                   x.weight[i] * y.weight[j] * z.slope[k]);
     }

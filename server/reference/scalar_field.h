@@ -1,5 +1,5 @@
 // A scalar volume as a function, in double: values, gradients, and where rays cross its level sets, found in two ways. What
-// surfaces of volumes are measured against. Twin of shaders/isosurface/{volume,trace_volume}.glsl.
+// surfaces of volumes are measured against. Twin of shaders/common/volume.glsl and shaders/isosurface/trace_volume.glsl.
 #pragma once
 
 #include <array>
@@ -41,13 +41,14 @@ public:
         double t = 0;
         double margin = 0;  ///< as ChordRoot's, in the cell of the hit
     };
-    /// The first t in [t_min, t_max] where value() less `iso` changes sign along origin + t direction within one cell or between
-    /// two, by going through the sorted crossings of all grid planes; cells with a corner that is not finite are outside.
+    /// The first t in [t_min, t_max] where value() less `iso` changes sign along origin + t direction within one cell or
+    /// between two, by going through the sorted crossings of all grid planes; cells with a corner that is not finite are
+    /// outside.
     std::optional<Hit> firstHit(const glm::dvec3& origin, const glm::dvec3& direction, double iso, double t_min,
                                 double t_max) const;
-    /// The same without cubics. Smallest t in (0, t_max) where origin + t * direction crosses the level set, from either side; steps of `step` voxels, a
-    /// parabola through three values where a pair may be missed, bisection to 1e-10 voxels. The box's sides are no surface.
-    /// \param direction  unit
+    /// The same without cubics. Smallest t in (0, t_max) where origin + t * direction crosses the level set, from either side;
+    /// steps of `step` voxels, a parabola through three values where a pair may be missed, bisection to 1e-10 voxels. The box's
+    /// sides are no surface. \param direction  unit
     std::optional<double> firstCrossing(const glm::dvec3& origin, const glm::dvec3& direction, double t_max, double iso,
                                         double step = 0.1) const;
 

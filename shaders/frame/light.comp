@@ -8,7 +8,6 @@
 #include "shaders/frame/base_colour.glsl"
 #include "shaders/frame/fibre_colour.glsl"
 #include "shaders/frame/light_visibility.glsl"
-#include "shaders/frame/surface_shading.glsl"
 #include "shaders/common/medium.glsl"
 
 layout(local_size_x_id = 0) in;
@@ -19,6 +18,8 @@ layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit
 layout(constant_id = 11) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
 layout(constant_id = 12) const bool kTail = false;  // and stands for all that are behind it, which were counted
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;   // what no isosurface has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };

@@ -5,7 +5,7 @@
 // Sources: Amanatides and Woo 1987 (the walk); Parker et al. 1998 (ranges of macrocells).
 #ifndef RADIATA_ISOSURFACE_TRACE_VOLUME
 #define RADIATA_ISOSURFACE_TRACE_VOLUME
-#include "shaders/isosurface/volume.glsl"
+#include "shaders/common/volume.glsl"
 
 // The point at parameter t is base + origin + t * direction, in grid coordinates. Precision is that of origin + t * direction, so
 // base is best near to where the hits are expected; 0 will do for a ray that begins on a grid point's cell.

@@ -5,9 +5,10 @@
 #include "shaders/isosurface/layer.glsl"
 #include "shaders/shared/layer_look.glsl"
 #include "shaders/common/brdf.glsl"
-#include "shaders/frame/surface_shading.glsl"
 
 layout(constant_id = 5) const uint kCrossings = 16u;  // at most, of one ray
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;  // what no layer has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 layout(buffer_reference, scalar) writeonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance

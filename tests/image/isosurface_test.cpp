@@ -9,8 +9,8 @@
 #include "build/folded_ball.h"
 #include "image/fixture.h"
 #include "reference/camera_rays.h"
-#include "reference/shading.h"
 #include "reference/scalar_field.h"
+#include "reference/shading.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::test {
@@ -164,7 +164,8 @@ TEST_F(Isosurfaces, OfTrianglesLieNearTheSurface) {
         double cosine = 0;
         for (std::size_t c = 0; c < 3; ++c) {
             n[static_cast<int>(c)] = exact.pixels.normal[3 * at + c];
-            cosine += static_cast<double>(exact.pixels.normal[3 * at + c]) * static_cast<double>(triangles.pixels.normal[3 * at + c]);
+            cosine +=
+                static_cast<double>(exact.pixels.normal[3 * at + c]) * static_cast<double>(triangles.pixels.normal[3 * at + c]);
             apart[static_cast<int>(c)] += static_cast<double>(exact.pixels.position[3 * at + c]) -
                                           static_cast<double>(triangles.pixels.position[3 * at + c]);
         }

@@ -61,10 +61,11 @@ TEST_F(PixelPaths, AgreeWithTheReferencePixelByPixel) {
     double off = 0, mean = 0;
     for (std::size_t i = 0; i < frame.pixels.depth.size(); i += 9) {
         if (frame.pixels.id[4 * i] < 0) continue;
-        const glm::dvec3 place = frame.info.position_origin_mm + glm::dvec3(frame.pixels.position[3 * i],
-                                                                            frame.pixels.position[3 * i + 1],
-                                                                            frame.pixels.position[3 * i + 2]);
-        const auto truth = reference::irradianceByBounce(field, 30, glm::dvec3(to_grid * glm::dvec4(place, 1)), lights, 2, 400, i);
+        const glm::dvec3 place =
+            frame.info.position_origin_mm +
+            glm::dvec3(frame.pixels.position[3 * i], frame.pixels.position[3 * i + 1], frame.pixels.position[3 * i + 2]);
+        const auto truth =
+            reference::irradianceByBounce(field, 30, glm::dvec3(to_grid * glm::dvec4(place, 1)), lights, 2, 400, i);
         double expected = 0, variance = 0, weight = 0.7 / 3.14159265358979;
         for (std::size_t k = 0; k < truth.mean.size(); ++k, weight *= 0.7) {
             expected += weight * truth.mean[k];
@@ -127,7 +128,8 @@ TEST_F(PixelPaths, StopAtTheErrorThatWasAskedForAndGrowStepByStep) {
     EXPECT_EQ(frame.pixels.rgba, whole.pixels.rgba) << "however it came about";
     EXPECT_EQ(whole.info.illumination->texels_done, whole.info.illumination->texels_needed);
     EXPECT_LT(whole.info.illumination->p95_error, 0.1 * 1.01);
-    EXPECT_LT(whole.info.illumination->samples, 512 * whole.info.illumination->texels_needed / 4) << "most pixels are done early";
+    EXPECT_LT(whole.info.illumination->samples, 512 * whole.info.illumination->texels_needed / 4)
+        << "most pixels are done early";
 }
 
 TEST_F(PixelPaths, KeepNothingAndCostOthersNothing) {

@@ -151,8 +151,9 @@ TEST_F(SurfaceLooks, ColoursAreThoseOfAnotherVolumeOnAnotherGrid) {
             const double apart = std::max(off.x, std::max(off.y, off.z));
             if (std::abs(apart) < 1e-3) continue;
             (apart < 0 ? inside : outside) += 1;
-            const glm::dvec3 expected = apart < 0 ? reference::mappedColour(linearColourTable(ColourMap::kInferno), rampValue(place), 0, 12)
-                                                  : glm::dvec3(0.214);
+            const glm::dvec3 expected =
+                apart < 0 ? reference::mappedColour(linearColourTable(ColourMap::kInferno), rampValue(place), 0, 12)
+                          : glm::dvec3(0.214);
             for (int c = 0; c < 3; ++c) EXPECT_NEAR(linear(frame, i, c), expected[c], 2 * kStep) << i;
         }
         EXPECT_GT(inside, 100);

@@ -16,8 +16,8 @@ void addFog(const DrawList& list, const DrawnLayer& layer, float share, shader::
     const glm::dvec3 forward(list.camera.rays.forward);
     double near = std::numeric_limits<double>::infinity(), far = -near;
     for (int corner = 0; corner < 8; ++corner) {
-        const glm::dvec3 place = glm::mix(layer.bounds.minimum, layer.bounds.maximum,
-                                          glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
+        const glm::dvec3 place =
+            glm::mix(layer.bounds.minimum, layer.bounds.maximum, glm::dvec3(corner & 1, corner >> 1 & 1, corner >> 2));
         const double along = glm::dot(place - list.camera.reference_mm, forward);
         near = std::min(near, along);
         far = std::max(far, along);

@@ -44,8 +44,8 @@ std::shared_ptr<const SurfaceTriangles> made(gpu::Device& device, const std::sha
 std::shared_ptr<const SurfaceTriangles> IsosurfaceTriangles::get(gpu::Device& device,
                                                                  const std::shared_ptr<const store::ScalarDataset>& volume,
                                                                  float isovalue) {
-    const auto found = std::ranges::find_if(
-        kept_, [&](const auto& one) { return one->volume == volume && one->isovalue == isovalue; });
+    const auto found =
+        std::ranges::find_if(kept_, [&](const auto& one) { return one->volume == volume && one->isovalue == isovalue; });
     if (found != kept_.end()) {
         kept_.splice(kept_.begin(), kept_, found);
         return kept_.front();

@@ -53,9 +53,9 @@ void runIsosurfaceMesh(PassRun& run, const plan::PassPlan& pass, TrianglePace& p
         const std::size_t end = std::min(pieces.size(), next + static_cast<std::size_t>(pace.pieces));
         const auto begin = std::chrono::steady_clock::now();
         for (std::size_t i = next; i < end; ++i) {
-            run.recorder.draw(pipeline, pass.name, raster.images,
-                              {&pieces[i].indices, pieces[i].index_count, 0, 1, 0, static_cast<std::uint32_t>(run.target.height)},
-                              push);
+            run.recorder.draw(
+                pipeline, pass.name, raster.images,
+                {&pieces[i].indices, pieces[i].index_count, 0, 1, 0, static_cast<std::uint32_t>(run.target.height)}, push);
         }
         run.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();

@@ -46,13 +46,12 @@ bool PathLight::serves(const store::VolumeDataset* volume, const model::Illumina
     return volume == volume_.get() && map == map_.get() && albedo == albedo_ && transported(light) == light_;
 }
 
-std::shared_ptr<const PathLight> PathLights::get(gpu::Device& device,
-                                                 const std::shared_ptr<const store::VolumeDataset>& volume,
+std::shared_ptr<const PathLight> PathLights::get(gpu::Device& device, const std::shared_ptr<const store::VolumeDataset>& volume,
                                                  const model::Illumination& light,
                                                  const std::shared_ptr<const model::EnvironmentMap>& map,
                                                  const glm::vec3& albedo) {
-    const auto found = std::ranges::find_if(
-        kept_, [&](const auto& one) { return one->serves(volume.get(), light, map.get(), albedo); });
+    const auto found =
+        std::ranges::find_if(kept_, [&](const auto& one) { return one->serves(volume.get(), light, map.get(), albedo); });
     if (found != kept_.end()) return *found;
     kept_.push_front(std::make_shared<PathLight>(device, volume, light, map, albedo));
     if (kept_.size() > kKept) kept_.pop_back();

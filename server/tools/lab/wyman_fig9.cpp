@@ -90,11 +90,13 @@ Report wymanFig9(gpu::Device& device, const Options& options) {
     table.rows.push_back({"path tracing, " + shortNumber(100 * truth.info.illumination->mean_error) + " % standard error",
                           shortNumber(truth.info.render_ms), shortNumber(truth.info.render_ms / base), "1"});
     report.tables.push_back(table);
-    report.checks.push_back({"full / Phong with hard shadows, time", measured[0].time.median() / measured[4].time.median(), "<=", 1});
+    report.checks.push_back(
+        {"full / Phong with hard shadows, time", measured[0].time.median() / measured[4].time.median(), "<=", 1});
     report.checks.push_back({"correlation of full light with path tracing", alike[0], ">=", 0.97});
     report.checks.push_back({"correlation of full light less that of Phong", alike[0] - alike[3], ">=", 0.1});
     report.notes.push_back(
-        "times are those of all passes on the device, of path tracing the whole picture; local shadings have the sun's direction and "
+        "times are those of all passes on the device, of path tracing the whole picture; local shadings have the sun's "
+        "direction and "
         "strength and the sky as ambient light, vicinity an even sky of 1");
     noteShortfalls(report, height, height);
     return report;

@@ -1,15 +1,14 @@
-// How isosurfaces with a look of their own are coloured and lit. Source: Wyman et al. 2006, Sec. 5 and Fig. 9.
-#ifndef RADIATA_FRAME_SURFACE_SHADING
-#define RADIATA_FRAME_SURFACE_SHADING
+// How isosurfaces with a look of their own are coloured and lit. Included by passes that have declared kSurfaceLooks, the bits of
+// what some layer has. Source: Wyman et al. 2006, Sec. 5 and Fig. 9.
+#ifndef RADIATA_COMMON_SURFACE_SHADING
+#define RADIATA_COMMON_SURFACE_SHADING
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/layer_look.glsl"
 #include "shaders/shared/surface_look.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/common/colour_map.glsl"
 #include "shaders/common/phong.glsl"
-#include "shaders/isosurface/level_set.glsl"
-
-layout(constant_id = 10) const uint kSurfaceLooks = 0u;  // what no layer has is not compiled
+#include "shaders/common/volume.glsl"
 
 layout(buffer_reference, scalar) readonly buffer SurfaceLookBuffer { SurfaceLook at[]; };
 
@@ -20,9 +19,13 @@ bool shadesItself(SurfaceLook own) { return looksBy(SURFACE_LOOKS_SHADING) && ow
 // Linear RGB, of a point relative to the frame's reference point; grey where the colouring volume has no number.
 vec3 surfaceColour(SurfaceLook own, LayerLook look, vec3 point) {
     if (!looksBy(SURFACE_LOOKS_VOLUME) || own.values.samples == 0ul) return look.uniform_colour;
-    const float value = levelAt(own.values, gridPoint(own.values, own.base, own.fraction + gridVector(own.values, point)), 0.0);
-    if (value <= -0.5 * VOLUME_NO_VALUE) return vec3(0.214);  // sRGB grey 0.5
-    return mappedColour(ColourTable(look.map), value, look.range_low, look.range_high);
+    const vec3 offset = own.fraction + gridVector(own.values, point);
+    const ivec3 cell = clamp(own.base + ivec3(floor(offset)), ivec3(0), own.values.size - 2);
+    const vec3 at = offset - vec3(cell - own.base);
+    float c[8];
+    const bool inside = all(greaterThanEqual(at, vec3(-1e-6))) && all(lessThanEqual(at, vec3(1.0 + 1e-6)));
+    if (!inside || !cellCorners(own.values, cell, 0.0, c)) return vec3(0.214);  // sRGB grey 0.5
+    return mappedColour(ColourTable(look.map), cellValue(c, clamp(at, 0.0, 1.0)), look.range_low, look.range_high);
 }
 
 // Radiance towards the viewer of a surface that shades itself. \param lit  share of the light that reaches it; \param open  the same
