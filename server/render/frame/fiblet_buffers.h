@@ -29,7 +29,7 @@ struct FibletBuffers {
     std::uint64_t scene_serial = 0;            ///< whose fiblets `visible` is about; 0: nobody's
     bool knows_visible = false;
     std::unique_ptr<FibletCoverage> coverage;  ///< only for that scheme of culling
-    std::uint64_t drawn = 0;  ///< fiblets of the latest sample
+    std::uint64_t drawn = 0;                   ///< fiblets of the latest sample
 
     static constexpr std::uint64_t kCountsOffset = 512;
     shader::FibletLayerParams& layer() const { return *reinterpret_cast<shader::FibletLayerParams*>(params.mapped().data()); }

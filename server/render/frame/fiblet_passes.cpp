@@ -13,10 +13,12 @@
 namespace radiata::render {
 namespace {
 
-/// Shares of the pages, nearest first, after which the second phase looks at the depths anew: without knowledge of the latest
-/// picture what is in front must be drawn before it can hide anything.
-constexpr std::array<double, 5> kColdParts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-constexpr std::array<double, 1> kWarmParts{1.0};
+/// Shares of the pages, nearest first, before each of which the second phase looks at the depths anew: what is in front must be
+/// drawn before it can hide anything. Those seen last do not spare that: the camera moves, and through the gaps that it finds
+/// between them all pages would be seen.
+constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
+/// A new pyramid takes about as long as drawing a page for so many pixels.
+constexpr std::uint64_t kPixelsPerPage = 4096;
 /// Workgroups of one dispatch; every device takes 65,535.
 constexpr std::uint32_t kPagesAtOnce = 16'384;
 
@@ -142,10 +144,9 @@ private:
     }
 
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
-                                                 plan_.lines ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
-                                                 detail_, coverage() ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines ? 1U : 0U,
+                              plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U, detail_, coverage() ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -211,16 +212,15 @@ private:
             step(0, 0, pages);
             return;
         }
-        const bool warm = own_.knows_visible;
-        if (warm) {
+        if (own_.knows_visible) {
             step(1, 0, pages);
         } else {
             run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         }
         std::uint32_t first = 0;
-        const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
-        for (const double part : parts) {
+        for (const double part : kParts) {
             const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+            if (part < 1 && end - first <= run_.pixels() / kPixelsPerPage) continue;
             run_.checkCancelled();
             pyramid();
             step(2, first, end);

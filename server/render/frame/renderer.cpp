@@ -81,8 +81,7 @@ void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameI
         const FibletBuffers& own = *target.fiblets[i];
         info.fiblets += list.layers[i].tracts->fibletCount();
         info.fiblets_drawn += own.drawn;
-        info.fiblet_error_px =
-            std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
     }
 }
 
