@@ -1,5 +1,5 @@
 # Headers that most files include anyway are compiled once; each file still names what it uses (the fuzzers are built without).
-# Targets of one kind (library or program) share one: radiata_precompiled(TARGET HEADERS...) makes it, radiata_reuses(TARGET OWNER)
+# Targets of one kind (library or program) share one, which must be made with the fewest definitions of them all: radiata_precompiled(TARGET HEADERS...) makes it, radiata_reuses(TARGET OWNER)
 # takes it.
 set(RADIATA_COMMON_HEADERS <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <map> <memory> <optional> <random> <span>
     <string> <vector> <glm/glm.hpp>)

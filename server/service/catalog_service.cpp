@@ -53,7 +53,7 @@ grpc::ServerUnaryReactor* CatalogService::ListDatasets(Context*, const Bytes* re
 
 grpc::ServerUnaryReactor* CatalogService::GetDataset(Context*, const Bytes* request, Bytes* response) {
     return unaryCall<v1::GetDatasetRequest>(request, response, [this](UnaryCall* call, const v1::GetDatasetRequest& message) {
-        worker_.post([this, call, id = message.id()] {
+        loads_.post([this, call, id = message.id()] {
             answerWith(call, [this, &id] {
                 v1::GetDatasetResponse answer;
                 *answer.mutable_dataset() = toProto(conductor_.backend().info(id));
@@ -72,13 +72,21 @@ grpc::ServerUnaryReactor* CatalogService::FitCamera(Context*, const Bytes* reque
             refuse("aspect is " + std::to_string(aspect) + "; it must be 0.05 to 20");
         }
         checkSelection(message.dataset_id(), selection);
-        // The renderer knows what a selection covers, and only its own thread may ask it.
-        conductor_.post([this, call, selection, convention, aspect, id = message.dataset_id()] {
-            answerWith(call, [&] {
-                v1::FitCameraResponse answer;
-                *answer.mutable_camera() = toProto(conductor_.backend().fit_camera(id, selection, convention, aspect));
-                return answer;
-            });
+        // The renderer knows what a selection covers, and only its own thread may ask it; that the dataset is there when it
+        // does is for others to see to.
+        loads_.post([this, call, selection, convention, aspect, id = message.dataset_id()] {
+            try {
+                conductor_.backend().info(id);
+                conductor_.post([this, call, selection, convention, aspect, id] {
+                    answerWith(call, [&] {
+                        v1::FitCameraResponse answer;
+                        *answer.mutable_camera() = toProto(conductor_.backend().fit_camera(id, selection, convention, aspect));
+                        return answer;
+                    });
+                });
+            } catch (...) {
+                call->refuse(currentStatus());
+            }
         });
     });
 }

@@ -37,7 +37,7 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
         const int x = static_cast<int>(message.x()), y = static_cast<int>(message.y());
         // The ray is traced by the render thread, peaks are searched by the worker, so that no view waits for them.
         const int radius = toInt(message.radius_px(), "radius_px");
-        conductor_.post([this, call, picture, x, y, radius] {
+        const auto trace = [this, call, picture, x, y, radius] {
             try {
                 auto found = conductor_.backend().pick(picture, x, y, radius);
                 if (!found) return call->answer(v1::PickResponse());
@@ -49,6 +49,15 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
                         call->refuse(currentStatus());
                     }
                 });
+            } catch (...) {
+                call->refuse(currentStatus());
+            }
+        };
+        if (conductor_.backend().resident(picture)) return conductor_.post(trace);
+        worker_.post([this, call, picture, trace] {
+            try {
+                conductor_.backend().load(picture);
+                conductor_.post(trace);
             } catch (...) {
                 call->refuse(currentStatus());
             }

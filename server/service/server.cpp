@@ -36,6 +36,7 @@ bool isLoopback(const std::string& listen) {
 
 struct Server::Services {
     Worker worker, exports;
+    Worker loads{64, 2};  ///< may wait for a large dataset, which must not hold up the catalogue
     ViewIds ids;
     ViewService view;
     RenderService render;
@@ -44,11 +45,11 @@ struct Server::Services {
     SelectionService selection;
     LimitsService limits;
     explicit Services(session::Conductor& conductor)
-        : view(conductor, worker, ids),
+        : view(conductor, loads, ids),
           render(conductor),
-          pick(conductor, worker, ids),
-          catalog(conductor, worker),
-          selection(conductor, worker, exports),
+          pick(conductor, loads, ids),
+          catalog(conductor, worker, loads),
+          selection(conductor, loads, exports),
           limits(conductor) {}
 };
 

@@ -10,13 +10,14 @@
 #include "radiata/v1/selection.grpc.pb.h"
 #include "radiata/v1/view.grpc.pb.h"
 #include "service/view_ids.h"
-#include "service/worker.h"
 #include "session/conductor.h"
+#include "session/worker.h"
 
 namespace radiata::service {
 
 using Bytes = grpc::ByteBuffer;
 using Context = grpc::CallbackServerContext;
+using session::Worker;
 
 class ViewService final : public v1::ViewService::WithRawCallbackMethod_Open<
                               v1::ViewService::WithRawCallbackMethod_Update<v1::ViewService::Service>> {
@@ -57,7 +58,9 @@ class CatalogService final
     : public v1::CatalogService::WithRawCallbackMethod_ListDatasets<v1::CatalogService::WithRawCallbackMethod_GetDataset<
           v1::CatalogService::WithRawCallbackMethod_FitCamera<v1::CatalogService::Service>>> {
 public:
-    CatalogService(session::Conductor& conductor, Worker& worker) : conductor_(conductor), worker_(worker) {}
+    /// \param loads  for calls that may wait until a dataset is read
+    CatalogService(session::Conductor& conductor, Worker& worker, Worker& loads)
+        : conductor_(conductor), worker_(worker), loads_(loads) {}
     grpc::ServerUnaryReactor* ListDatasets(Context* context, const Bytes* request, Bytes* response) override;
     grpc::ServerUnaryReactor* GetDataset(Context* context, const Bytes* request, Bytes* response) override;
     grpc::ServerUnaryReactor* FitCamera(Context* context, const Bytes* request, Bytes* response) override;
@@ -65,6 +68,7 @@ public:
 private:
     session::Conductor& conductor_;
     Worker& worker_;
+    Worker& loads_;
 };
 
 class SelectionService final : public v1::SelectionService::WithRawCallbackMethod_Select<

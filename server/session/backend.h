@@ -44,6 +44,11 @@ struct Backend {
                                                      const std::filesystem::path& file)>
         write_fibres;
 
+    /// Whether all datasets of the request are in memory; answers at once.
+    std::function<bool(const model::FrameRequest& request)> resident;
+    /// Brings them there, which may take long. \throws what rendering the request would
+    std::function<void(const model::FrameRequest& request)> load;
+
     std::string device;
     std::vector<std::string> traversals;
 };

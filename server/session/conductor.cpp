@@ -4,6 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "session/finish.h"
+
 namespace radiata::session {
 namespace {
 
@@ -22,6 +24,7 @@ Conductor::Conductor(Backend backend, Settings settings)
                     std::lock_guard lock(mutex_);
                     changed_.notify_all();
                 }),
+      loaders_(static_cast<std::size_t>(settings_.limits.views_max + settings_.jobs_max), settings_.loader_threads),
       thread_([this] { work(); }) {}
 
 Conductor::~Conductor() {
@@ -39,6 +42,7 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
         throw Error(Code::kInvalidArgument,
                     "window is " + std::to_string(window) + "; it must be 1 to " + std::to_string(settings_.limits.window_max));
     }
+    const bool ready = backend_.resident(request);
     std::lock_guard lock(mutex_);
     refuseWhenStopping();
     if (views_.size() >= static_cast<std::size_t>(settings_.limits.views_max)) {
@@ -46,8 +50,9 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
                                                   " are open, which is the limit; close one or try again later");
     }
     const std::uint64_t id = ++last_id_;
-    views_.emplace(id,
-                   std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks)}));
+    if (!ready) load(id, request);
+    views_.emplace(id, std::make_shared<Entry>(
+                           Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), ready ? 0 : 1}));
     changed_.notify_all();
     return id;
 }
@@ -59,13 +64,53 @@ void Conductor::update(std::uint64_t id, const Change& change) {
     if (found == views_.end()) throw Error(Code::kNotFound, "the view is closed");
     View& view = found->second->view;
     if (change.camera || change.scene || change.quality || change.size) {
-        model::validate(view.merged(change), settings_.limits);
+        const model::FrameRequest merged = view.merged(change);
+        model::validate(merged, settings_.limits);
+        if (change.scene && !backend_.resident(merged)) {
+            load(id, merged);
+            ++found->second->loading;
+        }
     }
     const bool different = view.apply(change, Clock::now());
     if (different && running_ && running_->refines && (running_->id == id || running_->expected_ms > kPreempt_ms)) {
         running_->cancel = true;
     }
     changed_.notify_all();
+}
+
+/// With the lock held, before the view or job counts it: the answer waits for the lock.
+void Conductor::load(std::uint64_t id, const model::FrameRequest& request) {
+    loaders_.post([this, id, request] {
+        {
+            std::lock_guard lock(mutex_);
+            if (stopping_) return;
+        }
+        std::optional<Error> failure;
+        try {
+            backend_.load(request);
+        } catch (...) {
+            failure = currentError();
+        }
+        loaded(id, failure);
+    });
+}
+
+void Conductor::loaded(std::uint64_t id, const std::optional<Error>& failure) {
+    Lock lock(mutex_);
+    changed_.notify_all();
+    if (const auto view = views_.find(id); view != views_.end()) {
+        --view->second->loading;
+        if (failure) endView(lock, id, *failure);
+        return;
+    }
+    const auto found = jobs_.find(id);
+    if (found == jobs_.end()) return;  // closed or cancelled meanwhile
+    const std::shared_ptr<JobProgress> job = found->second;
+    job->loading = false;
+    if (!failure) return;
+    jobs_.erase(found);
+    lock.unlock();
+    job->job.failed(*failure);
 }
 
 std::optional<StreamFrame> Conductor::take(std::uint64_t id) {
@@ -104,6 +149,7 @@ void Conductor::endView(Lock& lock, std::uint64_t id, const Error& error) {
 
 std::uint64_t Conductor::render(RenderJob job) {
     model::validate(job.request, settings_.limits);
+    const bool ready = backend_.resident(job.request);
     std::lock_guard lock(mutex_);
     refuseWhenStopping();
     if (jobs_.size() >= static_cast<std::size_t>(settings_.jobs_max)) {
@@ -111,7 +157,9 @@ std::uint64_t Conductor::render(RenderJob job) {
                                                   " are waiting, which is the limit; try again later");
     }
     const std::uint64_t id = ++last_id_;
+    if (!ready) load(id, job.request);
     auto progress = std::make_shared<JobProgress>();
+    progress->loading = !ready;
     progress->job = std::move(job);
     progress->arrival = Clock::now();
     jobs_.emplace(id, std::move(progress));

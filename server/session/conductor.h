@@ -1,5 +1,6 @@
 // Decides what is rendered next and for whom. One thread renders; views take turns, and work that answers a moving camera
-// goes before work that refines a resting one. Nothing waits without an end: windows, queues and steps are bounded.
+// goes before work that refines a resting one. Datasets are read by other threads, so that a large one holds up nobody but
+// those who asked for it. Nothing waits without an end: windows, queues and steps are bounded.
 #pragma once
 
 #include <condition_variable>
@@ -16,6 +17,7 @@
 #include "session/encoder_pool.h"
 #include "session/render_job.h"
 #include "session/view.h"
+#include "session/worker.h"
 
 namespace radiata::session {
 
@@ -23,6 +25,7 @@ struct Settings {
     model::Limits limits;
     Pace pace;
     int encoder_threads = 2;
+    int loader_threads = 2;
     int jobs_max = 8;    ///< pictures waiting for RenderService
     int tasks_max = 64;  ///< short calls waiting for the render thread
     std::filesystem::path font = encode::kDefaultFont;
@@ -74,6 +77,7 @@ private:
     struct Entry {
         View view;
         ViewCallbacks callbacks;
+        int loading = 0;  ///< requests whose datasets are being read; nothing is drawn meanwhile
     };
     struct Running {
         std::uint64_t id = 0;
@@ -88,6 +92,8 @@ private:
     };
     using Lock = std::unique_lock<std::mutex>;
 
+    void load(std::uint64_t id, const model::FrameRequest& request);
+    void loaded(std::uint64_t id, const std::optional<Error>& failure);
     void work();
     bool housekeep(Lock& lock);
     std::optional<Choice> choose(Clock::time_point now);
@@ -109,11 +115,12 @@ private:
     std::uint64_t served_interactive_ = 0;
     std::uint64_t served_refinement_ = 0;
     std::map<std::uint64_t, std::shared_ptr<Entry>> views_;
-    std::map<std::uint64_t, std::shared_ptr<JobProgress>> jobs_;  ///< the first one is being drawn
+    std::map<std::uint64_t, std::shared_ptr<JobProgress>> jobs_;  ///< the first one that is not loading is being drawn
     std::deque<std::function<void()>> tasks_;
     std::deque<std::uint64_t> released_;
     std::shared_ptr<Running> running_;
     EncoderPool encoders_;
+    Worker loaders_;  ///< ends before what its tasks use
     std::jthread thread_;
 };
 

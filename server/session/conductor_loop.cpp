@@ -1,4 +1,5 @@
 // The render thread: choose a step, draw it without the lock, hand the picture to the encoders.
+#include <algorithm>
 #include <exception>
 
 #include "session/conductor.h"
@@ -22,7 +23,7 @@ void Conductor::work() {
         } else if (choice->view) {
             runView(lock, *choice);
         } else {
-            runJob(lock, choice->id, jobs_.begin()->second);
+            runJob(lock, choice->id, jobs_.at(choice->id));
         }
     }
 }
@@ -54,6 +55,7 @@ std::optional<Conductor::Choice> Conductor::chooseView(Clock::time_point now, bo
     auto position = views_.upper_bound(served);
     for (std::size_t i = 0; i < views_.size(); ++i, ++position) {
         if (position == views_.end()) position = views_.begin();
+        if (position->second->loading > 0) continue;
         if (position->second->view.interactivePending() != interactive) continue;
         if (const std::optional<Step> step = position->second->view.next(now))
             return Choice{position->second, position->first, *step};
@@ -64,10 +66,11 @@ std::optional<Conductor::Choice> Conductor::chooseView(Clock::time_point now, bo
 /// A job takes its turn among the views that move, as if it were the one with the highest number.
 std::optional<Conductor::Choice> Conductor::choose(Clock::time_point now) {
     std::optional<Choice> view = chooseView(now, true);
-    if (!jobs_.empty() && (!view || view->id <= served_interactive_)) {
+    const auto job = std::find_if(jobs_.begin(), jobs_.end(), [](const auto& entry) { return !entry.second->loading; });
+    if (job != jobs_.end() && (!view || view->id <= served_interactive_)) {
         // Turns wrap around here: the job first, then the views from the lowest number.
         served_interactive_ = 0;
-        return Choice{nullptr, jobs_.begin()->first, {}};
+        return Choice{nullptr, job->first, {}};
     }
     if (view) {
         served_interactive_ = view->id;
@@ -82,6 +85,7 @@ void Conductor::waitForWork(Lock& lock) {
     std::optional<Clock::time_point> wake;
     if (encoders_.hasRoom()) {
         for (const auto& [id, entry] : views_) {
+            if (entry->loading > 0) continue;
             const auto at = entry->view.wakeAt();
             if (at && (!wake || *at < *wake)) wake = at;
         }

@@ -28,6 +28,7 @@ struct JobProgress {
     Clock::time_point arrival;
     std::optional<Clock::time_point> begin;
     std::atomic<bool> cancel{false};
+    bool loading = false;  ///< its datasets are being read
     int samples_done = 0;
     double sample_ms = 0;
     double render_ms = 0;

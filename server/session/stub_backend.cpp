@@ -146,6 +146,8 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
         lookUp(id);
         throw Error(Code::kInvalidArgument, "dataset \"" + id + "\" is no tractogram");
     };
+    backend.resident = [](const model::FrameRequest&) { return true; };
+    backend.load = [](const model::FrameRequest&) {};
     backend.device = "stub";
     return backend;
 }

@@ -17,6 +17,36 @@ model::SelectedFibres select(store::Store& store, const std::string& id, const s
     return {bits.size(), bits.fibres()};
 }
 
+/// Calls `visit` for each dataset that the layer is drawn from, with what it is needed as.
+template <typename Visit>
+void forEachDataset(const model::Layer& layer, Visit&& visit) {
+    visit(layer.datasetId(), &layer);
+    if (const model::GlyphLayer* glyphs = layer.ifGlyphs()) {
+        if (glyphs->uncertainty) visit(glyphs->uncertainty->dataset_id, nullptr);
+        if (glyphs->colour.mode == model::ColourMode::kScalar) visit(glyphs->colour.image_id, nullptr);
+    }
+}
+
+bool resident(store::Store& store, const model::FrameRequest& request) {
+    bool all = true;
+    for (const model::Layer& layer : request.scene.layers) {
+        forEachDataset(layer, [&](const std::string& id, const model::Layer*) { all = all && store.resident(id); });
+    }
+    return all;
+}
+
+void load(store::Store& store, const model::FrameRequest& request) {
+    for (const model::Layer& layer : request.scene.layers) {
+        forEachDataset(layer, [&](const std::string& id, const model::Layer* of) {
+            if (of && of->ifSurface()) {
+                store.volume(id);
+            } else {
+                store.info(id);
+            }
+        });
+    }
+}
+
 }  // namespace
 
 Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
@@ -41,6 +71,8 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
         const auto subset = model::subsetOf(store.tracts(id), select(store, id, selection).fibres);
         return io::writeTractogram(*subset, file);
     };
+    backend.resident = [&store](const model::FrameRequest& request) { return resident(store, request); };
+    backend.load = [&store](const model::FrameRequest& request) { load(store, request); };
     backend.device = renderer.deviceName();
     backend.traversals = renderer.traversals();
     return backend;

@@ -310,6 +310,12 @@ model::DatasetInfo Store::info(const std::string& id) {
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
 }
 
+bool Store::resident(const std::string& id) const {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::unique_lock lock(slot->loading, std::try_to_lock);
+    return lock && (slot->dataset || slot->scalars || slot->fiblets);
+}
+
 std::vector<model::DatasetInfo> Store::list() {
     std::map<std::string, std::shared_ptr<Impl::Slot>> slots;
     {

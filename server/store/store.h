@@ -59,6 +59,8 @@ public:
     std::vector<model::DatasetInfo> list();
     /// \throws Error(kNotFound) naming the id; Error of the reader
     model::DatasetInfo info(const std::string& id);
+    /// Whether the dataset is loaded, without waiting for one that just loads. \throws Error(kNotFound)
+    bool resident(const std::string& id) const;
     /// The dataset, loaded if it was not; other datasets stay available meanwhile.
     /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);

@@ -62,6 +62,24 @@ class PackageTest(ClientTest):
             with self.assertRaises(ValueError):
                 self.client.render(DATASET, **options)
 
+    def test_layers_of_every_kind(self):
+        request = radiata.frame_request(layers=[
+            {"isosurface": {"dataset_id": "t1", "isovalue": 40.0}, "opacity": 0.25},
+            {"tractogram": {"dataset_id": "tracts", "line_width_px": 2}}],
+            light_fields={"illumination": {"bounces": 2}}, quality_fields={"fiblet_culling": "FIBLET_CULLING_NONE"})
+        surface, tracts = request.scene.layers
+        self.assertEqual((surface.isosurface.dataset_id, surface.opacity), ("t1", 0.25))
+        self.assertEqual((tracts.tractogram.dataset_id, tracts.tractogram.line_width_px), ("tracts", 2))
+        both = radiata.frame_request(DATASET, uncertainty={"dataset_id": "outer", "extinction_per_mm": 3.0},
+                                     layers=[{"tractogram": {"dataset_id": "tracts"}}])
+        self.assertEqual(both.scene.layers[0].glyphs.uncertainty.dataset_id, "outer")
+        self.assertEqual(len(both.scene.layers), 2)
+        for options in ({}, {"layers": [{"tractogram": {"path": "/etc"}}]}, {"dataset": DATASET, "uncertainty": {"sigma": 1}}):
+            with self.assertRaises(ValueError):
+                radiata.frame_request(**options)
+        with self.assertRaisesRegex(radiata.Refused, "nothing"):
+            self.client.render(layers=[{"tractogram": {"dataset_id": "nothing"}}])
+
     def test_stream_comes_to_rest_and_follows_the_camera(self):
         with self.client.stream(DATASET, size=(96, 64), samples=4) as view:
             first = next(frame for frame in view if frame.converged)

@@ -9,7 +9,7 @@ from .frame import Frame
 from .request import enum_value, frame_request, voxel_selection
 from .v1 import (catalog_pb2, catalog_pb2_grpc, frame_pb2, limits_pb2, limits_pb2_grpc, pick_pb2, pick_pb2_grpc, render_pb2,
                  render_pb2_grpc, scene_pb2)
-from .view import View
+from .view import View, picked
 
 # The answer of grpc.health.v1.Health/Check that says SERVING; written out, so that no further package is needed.
 _SERVING = b"\x08\x01"
@@ -72,31 +72,38 @@ class Client:
         request.convention = enum_value(scene_pb2.Annotations.Convention, "CONVENTION_", convention)
         return self._call(self._catalog.FitCamera, request).camera
 
-    def request(self, dataset, **options):
+    def request(self, dataset=None, **options):
         """A FrameRequest of frame_request's options; without a camera the one that fits the selection."""
         request = frame_request(dataset, **options)
         if not request.HasField("camera"):
             # Kept within what FitCamera takes, so that an impossible size is refused as a size.
             aspect = min(max(request.width / max(1, request.height), 0.05), 20)
-            fit = catalog_pb2.FitCameraRequest(dataset_id=dataset, aspect=aspect)
-            fit.selection.CopyFrom(request.scene.layers[0].glyphs.selection)
+            first = request.scene.layers[0]
+            content = getattr(first, first.WhichOneof("content") or "glyphs")
+            shown = content.glyphs if first.HasField("tensor_glyphs") else content
+            fit = catalog_pb2.FitCameraRequest(dataset_id=shown.dataset_id, aspect=aspect)
+            if shown is not content or first.HasField("glyphs"):
+                fit.selection.CopyFrom(shown.selection)
             fit.convention = request.scene.annotations.convention
             request.camera.CopyFrom(self._call(self._catalog.FitCamera, fit).camera)
         return request
 
-    def render(self, dataset, *, outputs=(), image_format="png", **options):
+    def render(self, dataset=None, *, outputs=(), image_format="png", **options):
         """A Frame with all samples. `outputs`: any of depth, id, position, normal, steps; `options`: see frame_request."""
         request = render_pb2.RenderRequest(frame=self.request(dataset, **options))
         request.format = enum_value(frame_pb2.ImageFormat, "IMAGE_FORMAT_", image_format)
         request.outputs.extend(enum_value(frame_pb2.Output, "OUTPUT_", name) for name in outputs)
         return Frame(self._call(self._render.Render, request).frame)
 
-    def pick(self, dataset, x, y, **options):
-        """What lies under a pixel of the picture that render makes with the same options, as a PickedGlyph message; None: nothing."""
-        answer = self._call(self._pick.Pick, pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y))
-        return answer.glyph if answer.HasField("glyph") else None
+    def pick(self, dataset, x, y, radius_px=0, **options):
+        """What lies under a pixel of the picture that render makes with the same options; None: nothing.
 
-    def stream(self, dataset, *, window=None, **options):
+        A PickedGlyph, PickedFibre or PickedSurface message. Fibres are looked for within radius_px pixels.
+        """
+        request = pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y, radius_px=radius_px)
+        return picked(self._call(self._pick.Pick, request))
+
+    def stream(self, dataset=None, *, window=None, **options):
         """A live View of a scene: iterate over it for frames, which are acknowledged by themselves."""
         return View(self._channel, self.request(dataset, **options), window, self.timeout)
 

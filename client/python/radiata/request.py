@@ -1,5 +1,7 @@
 """Requests from plain Python values, with the words of the command line: plane="oblique", scale="per-glyph"."""
 
+from google.protobuf import json_format
+
 from .camera import camera_from_json
 from .v1 import camera_pb2, colour_pb2, frame_pb2, quality_pb2, scene_pb2
 
@@ -18,6 +20,14 @@ def enum_value(enum, prefix, word):
 def set_vector(vector, values):
     """Fills a Vec3 from three numbers."""
     vector.x, vector.y, vector.z = (float(v) for v in values)
+
+
+def set_fields(message, fields, where):
+    """Sets what a dict with the contract's field names (nested dicts, enum values by name) says; raises ValueError for others."""
+    try:
+        json_format.ParseDict(fields, message)
+    except json_format.ParseError as error:
+        raise ValueError(f"{where}: {error}") from None
 
 
 def as_camera(camera):
@@ -71,25 +81,29 @@ def glyph_colour(colour=None, colour_map=None, colour_range=None, colour_image=N
     return message
 
 
-def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, position_mm=None, normal=None, slab_mm=None,
-                  volume=False, scale=None, factor=None, lmax=None, lobes=None, opacity=None, convention=None,
-                  annotations=True, samples=None, intersection=None, traversal=None, pole_table=None, mesh=None, mesh_level=None,
-                  mesh_normals=None, jpeg_quality=None,
-                  light=None, irradiance=None, ambient=None, background=None, colour=None, colour_map=None, colour_range=None,
-                  colour_image=None, light_world=None, shadow=None, light_radius_deg=None, shadow_rays=None,
-                  occlusion_rays=None, occlusion_radius_mm=None, casts_shadows=None, sun_table=None, tensor_glyphs=None,
-                  tensor_march=None):
+def frame_request(dataset=None, *, layers=(), uncertainty=None, light_fields=None, quality_fields=None, camera=None, size=(1280,
+                  720), plane=None, position_mm=None, normal=None, slab_mm=None, volume=False, scale=None, factor=None, lmax=None,
+                  lobes=None, opacity=None, convention=None, annotations=True, samples=None, intersection=None, traversal=None,
+                  pole_table=None, mesh=None, mesh_level=None, mesh_normals=None, jpeg_quality=None, light=None, irradiance=None,
+                  ambient=None, background=None, colour=None, colour_map=None, colour_range=None, colour_image=None,
+                  light_world=None, shadow=None, light_radius_deg=None, shadow_rays=None, occlusion_rays=None,
+                  occlusion_radius_mm=None, casts_shadows=None, sun_table=None, tensor_glyphs=None, tensor_march=None):
     """A FrameRequest message. What is None is left to the server; units and ranges stand in proto/radiata/v1.
 
+    `dataset` is drawn as glyphs; without it the picture is of `layers` alone, which are dicts of the contract's Layer such as
+    {"tractogram": {"dataset_id": "tracts", "line_width_px": 2}} or {"isosurface": {"dataset_id": "t1"}, "opacity": 0.3} and are
+    drawn after it. light_fields and quality_fields are dicts of Light and Quality and set what has no argument of its own here,
+    uncertainty is one of Uncertainty: {"dataset_id": "fod_deviations", "kind": "KIND_DEVIATIONS"}.
     tensor_glyphs ("reynolds" or "ellipsoid") makes the layer one of tensor glyphs; tensor_march is a dict of the fields of
     quality.TensorMarch, such as {"step": 0.01, "bisections": 3}.
     """
     request = frame_pb2.FrameRequest(width=size[0], height=size[1])
-    layer = request.scene.layers.add()
+    # Without a dataset the layer of glyphs is thrown away in the end.
+    layer = scene_pb2.Layer() if dataset is None else request.scene.layers.add()
     glyphs = layer.glyphs if tensor_glyphs is None else layer.tensor_glyphs.glyphs
     if tensor_glyphs is not None:
         layer.tensor_glyphs.shape = enum_value(scene_pb2.TensorShape, "TENSOR_SHAPE_", tensor_glyphs)
-    glyphs.dataset_id = dataset
+    glyphs.dataset_id = dataset or ""
     glyphs.selection.CopyFrom(voxel_selection(plane, position_mm, normal, slab_mm, volume))
     glyphs.scale.mode = enum_value(scene_pb2.GlyphScale.Mode, "MODE_", scale)
     glyphs.negative_lobes = enum_value(scene_pb2.NegativeLobes, "NEGATIVE_LOBES_", lobes)
@@ -114,8 +128,8 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
             setattr(request.scene.light.ambient_occlusion, name, value)
     for message, name, value in ((layer, "casts_shadows", casts_shadows),
                                  (request.scene.light, "angular_radius_deg", light_radius_deg),
-                                 (request.scene.light, "shadow_rays", shadow_rays), (layer, "opacity", opacity), (glyphs, "lmax", lmax), (quality, "samples", samples),
-                                 (quality, "jpeg_quality", jpeg_quality)):
+                                 (request.scene.light, "shadow_rays", shadow_rays), (layer, "opacity", opacity),
+                                 (glyphs, "lmax", lmax), (quality, "samples", samples), (quality, "jpeg_quality", jpeg_quality)):
         if value is not None:
             setattr(message, name, value)
     if factor is not None:
@@ -129,6 +143,14 @@ def frame_request(dataset, *, camera=None, size=(1280, 720), plane=None, positio
         set_vector(request.scene.light.direction_world, light_world)
     if background is not None:
         set_vector(request.scene.background, background)
+    if uncertainty is not None:
+        set_fields(glyphs.uncertainty, uncertainty, "uncertainty")
+    for number, fields in enumerate(layers):
+        set_fields(request.scene.layers.add(), fields, f"layers[{number}]")
+    if not request.scene.layers:
+        raise ValueError("dataset and layers are both missing; give one")
+    set_fields(request.scene.light, light_fields or {}, "light_fields")
+    set_fields(quality, quality_fields or {}, "quality_fields")
     request.scene.annotations.convention = enum_value(scene_pb2.Annotations.Convention, "CONVENTION_", convention)
     request.scene.annotations.hidden = not annotations
     if camera is not None:

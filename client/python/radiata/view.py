@@ -11,6 +11,14 @@ from .request import as_camera
 from .v1 import pick_pb2, pick_pb2_grpc, view_pb2, view_pb2_grpc
 
 
+def picked(answer):
+    """The one message that a PickResponse holds, or None."""
+    for kind in ("glyph", "fibre", "surface"):
+        if answer.HasField(kind):
+            return getattr(answer, kind)
+    return None
+
+
 class View:
     """Opened by Client.stream. Iterate for frames; close() or leaving the `with` block ends it.
 
@@ -78,15 +86,15 @@ class View:
             raise translated(error) from None
         return request.camera_sequence
 
-    def pick(self, frame, x, y):
-        """What lies under a pixel of a frame of this view, as a PickedGlyph message; None: nothing. The last 64 frames are known."""
-        request = pick_pb2.PickRequest(x=x, y=y)
+    def pick(self, frame, x, y, radius_px=0):
+        """What lies under a pixel of a frame of this view, as Client.pick; the last 64 frames are known."""
+        request = pick_pb2.PickRequest(x=x, y=y, radius_px=radius_px)
         request.view.view_id, request.view.sequence = self.id, frame.message.sequence
         try:
             answer = self._pick.Pick(request, timeout=self._timeout)
         except grpc.RpcError as error:
             raise translated(error) from None
-        return answer.glyph if answer.HasField("glyph") else None
+        return picked(answer)
 
     def close(self):
         """Ends the view on the server too."""

@@ -1,12 +1,14 @@
-#include "service/worker.h"
+#include "session/worker.h"
 
 #include <string>
 
 #include "base/error.h"
 
-namespace radiata::service {
+namespace radiata::session {
 
-Worker::Worker(std::size_t waiting_max) : waiting_max_(waiting_max), thread_([this] { work(); }) {}
+Worker::Worker(std::size_t waiting_max, int threads) : waiting_max_(waiting_max) {
+    for (int i = 0; i < threads; ++i) threads_.emplace_back([this] { work(); });
+}
 
 Worker::~Worker() {
     {
@@ -21,7 +23,7 @@ void Worker::post(std::function<void()> task) {
         std::lock_guard lock(mutex_);
         if (tasks_.size() >= waiting_max_) {
             throw Error(Code::kResourceExhausted,
-                        "calls to the catalogue: " + std::to_string(tasks_.size()) + " are waiting; try again later");
+                        "calls that read files: " + std::to_string(tasks_.size()) + " are waiting; try again later");
         }
         tasks_.push_back(std::move(task));
     }
@@ -41,4 +43,4 @@ void Worker::work() {
     }
 }
 
-}  // namespace radiata::service
+}  // namespace radiata::session

@@ -1,4 +1,4 @@
-// One thread for calls that may read files, so that gRPC's own threads never wait.
+// Threads for calls that may read files, so that neither gRPC's own threads nor the one that renders wait for them.
 #pragma once
 
 #include <condition_variable>
@@ -6,12 +6,13 @@
 #include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
-namespace radiata::service {
+namespace radiata::session {
 
 class Worker {
 public:
-    explicit Worker(std::size_t waiting_max = 64);
+    explicit Worker(std::size_t waiting_max = 64, int threads = 1);
     /// Waits for the tasks that are there; each is somebody's answer.
     ~Worker();
 
@@ -26,7 +27,7 @@ private:
     std::condition_variable changed_;
     std::deque<std::function<void()>> tasks_;
     bool stopping_ = false;
-    std::jthread thread_;
+    std::vector<std::jthread> threads_;
 };
 
-}  // namespace radiata::service
+}  // namespace radiata::session

@@ -1,0 +1,106 @@
+// Reading a large dataset holds up those who asked for it, and nobody else.
+#include <atomic>
+#include <future>
+
+#include <gmock/gmock.h>
+
+#include "service/service_fixture.h"
+
+namespace radiata::service::testing {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A stub with a second dataset, "large", which is there once the gate opens, or turns out to be broken.
+struct Large {
+    std::promise<void> gate;
+    std::shared_future<void> opened = gate.get_future().share();
+    std::atomic<bool> there{false};
+    std::atomic<int> loads{0};
+
+    static bool wanted(const model::FrameRequest& request) { return request.scene.layers.at(0).datasetId() == "large"; }
+
+    session::Backend backend(bool broken = false) {
+        session::Backend backend = session::stubBackend(milliseconds(1));
+        backend.resident = [this](const model::FrameRequest& request) { return !wanted(request) || there; };
+        backend.load = [this, broken](const model::FrameRequest&) {
+            ++loads;
+            opened.wait();
+            if (broken) throw Error(Code::kInvalidArgument, "large.nii: it ends after 12 bytes");
+            there = true;
+        };
+        backend.render = [draw = backend.render, this](std::uint64_t view, const model::FrameRequest& request, int first,
+                                                       int count, const model::Outputs& outputs,
+                                                       const std::atomic<bool>* cancel) {
+            if (wanted(request) && !there) throw Error(Code::kInternal, "drawn before its data was there");
+            model::FrameRequest known = request;
+            std::visit([](auto& layer) { layer.dataset_id = "stub"; }, known.scene.layers.at(0).content);
+            return draw(view, known, first, count, outputs, cancel);
+        };
+        return backend;
+    }
+};
+
+v1::FrameRequest largeRequest() {
+    v1::FrameRequest request = frameRequest();
+    request.mutable_scene()->mutable_layers(0)->mutable_glyphs()->set_dataset_id("large");
+    return request;
+}
+
+bool any(const v1::Frame&) { return true; }
+
+grpc::Status render(const std::shared_ptr<grpc::Channel>& channel, const v1::FrameRequest& frame) {
+    grpc::ClientContext context;
+    context.set_deadline(std::chrono::system_clock::now() + std::chrono::seconds(10));
+    v1::RenderRequest request;
+    *request.mutable_frame() = frame;
+    v1::RenderResponse response;
+    return v1::RenderService::NewStub(channel)->Render(&context, request, &response);
+}
+
+TEST(Loading, OtherViewsAndPicturesGoOn) {
+    Large large;
+    Rig rig(large.backend());
+    Viewer waiting(rig.channel(), largeRequest());
+    EXPECT_FALSE(waiting.id().empty()) << "the view is open before its data is there";
+    std::future<grpc::Status> picture = std::async(std::launch::async, [&] { return render(rig.channel(), largeRequest()); });
+    Viewer other(rig.channel(), frameRequest());
+    ASSERT_TRUE(other.waitFor(any));
+    ASSERT_TRUE(other.move(1, 0.5).ok());
+    EXPECT_TRUE(other.waitFor([](const v1::Frame& frame) { return frame.camera_sequence() == 1; }));
+    EXPECT_TRUE(render(rig.channel(), frameRequest()).ok());
+    EXPECT_EQ(waiting.received(), 0U);
+    large.gate.set_value();
+    EXPECT_TRUE(waiting.waitFor(any));
+    EXPECT_TRUE(picture.get().ok());
+}
+
+TEST(Loading, ABrokenFileEndsTheViewWithItsSentence) {
+    Large large;
+    Rig rig(large.backend(true));
+    Viewer waiting(rig.channel(), largeRequest());
+    large.gate.set_value();
+    const grpc::Status status = waiting.end();
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT);
+    EXPECT_THAT(status.error_message(), HasSubstr("ends after 12 bytes"));
+    EXPECT_THAT(render(rig.channel(), largeRequest()).error_message(), HasSubstr("ends after 12 bytes"));
+    EXPECT_TRUE(render(rig.channel(), frameRequest()).ok());
+}
+
+TEST(Loading, AClosedViewAndAStoppedServerWaitForNothing) {
+    Large large;
+    {
+        Rig rig(large.backend());
+        {
+            Viewer waiting(rig.channel(), largeRequest());
+            EXPECT_FALSE(waiting.id().empty());
+        }  // cancelled while its data is read
+        Viewer other(rig.channel(), frameRequest());
+        EXPECT_TRUE(other.waitFor(any));
+        large.gate.set_value();
+    }
+    EXPECT_EQ(large.loads, 1);
+}
+
+}  // namespace
+}  // namespace radiata::service::testing
