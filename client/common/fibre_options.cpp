@@ -139,7 +139,7 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--select-fibre", options.select_fibres, "Let these fibres stand out")->delimiter(',')->type_name("N,...");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
-        ->check(CLI::IsMember({"atomic"}));
+        ->check(CLI::IsMember({"atomic", "pull", "mesh", "mesh-serial", "geometry", "tessellation", "lines", "points"}));
     app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
         ->check(CLI::IsMember({"two-phase", "frustum", "none", "coverage"}));
     app.add_option("--fiblet-detail", options.detail_px,
@@ -150,7 +150,9 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
 }
 
 void setFibreQuality(v1::Quality& quality, const FibreOptions& options) {
-    if (options.pipeline == "atomic") quality.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    if (!options.pipeline.empty()) {
+        quality.set_fiblet_pipeline(enumWords<v1::FibletPipeline>(v1::FibletPipeline_descriptor()).at(options.pipeline));
+    }
     if (!options.frozen.empty()) *quality.mutable_frozen_culling() = cameraFromOption(options.frozen);
     if (options.culling == "two-phase") quality.set_fiblet_culling(v1::FIBLET_CULLING_TWO_PHASE);
     if (options.culling == "frustum") quality.set_fiblet_culling(v1::FIBLET_CULLING_FRUSTUM);

@@ -37,7 +37,7 @@ struct Quality {
     PolynomialSettings polynomial;  ///< of the methods by polynomials
     RayMarchSettings ray_march;     ///< of the marches with equal steps
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
-    FibletPipeline fiblet_pipeline = FibletPipeline::kAtomic;
+    FibletPipeline fiblet_pipeline = FibletPipeline::kAuto;
     FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
     std::optional<Camera> frozen_culling;   ///< fibres are drawn that two phases see from here, in a picture of the same size
     std::optional<float> fiblet_detail_px;  ///< that lines may be off, to be fewer; none: every segment is drawn

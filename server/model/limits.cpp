@@ -268,6 +268,10 @@ void validate(const FrameRequest& request, const Limits& limits) {
         if (request.quality.fiblet_culling != FibletCulling::kTwoPhase) {
             refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that");
         }
+        if (drawsUncompressed(request.quality.fiblet_pipeline)) {
+            refuse("quality.frozen_culling needs fiblets; quality.fiblet_pipeline is " +
+                   std::string(pipelineName(request.quality.fiblet_pipeline)) + ", which draws uncompressed points");
+        }
     }
     if (const std::optional<float> detail = request.quality.fiblet_detail_px) {
         if (!(*detail >= kDetailMinPx && *detail <= kDetailMaxPx)) {

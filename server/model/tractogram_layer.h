@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -67,7 +68,17 @@ struct TractogramLayer {
 };
 
 /// How fiblets are drawn.
-enum class FibletPipeline { kAtomic };
+enum class FibletPipeline { kAuto, kAtomic, kPull, kMesh, kMeshSerial, kGeometry, kTessellation, kLines, kPoints };
+/// "atomic", "mesh-serial", ...; "auto"
+std::string_view pipelineName(FibletPipeline pipeline);
+/// Of uncompressed points, all of which are drawn.
+inline bool drawsUncompressed(FibletPipeline pipeline) {
+    return pipeline == FibletPipeline::kLines || pipeline == FibletPipeline::kPoints;
+}
+/// By the device's own rasteriser.
+inline bool drawsByRasteriser(FibletPipeline pipeline) {
+    return pipeline != FibletPipeline::kAuto && pipeline != FibletPipeline::kAtomic && pipeline != FibletPipeline::kPoints;
+}
 /// Which of them are.
 enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
 

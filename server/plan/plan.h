@@ -22,7 +22,12 @@ struct Abilities {
     bool software = false;  ///< a CPU rasteriser
     bool raster = false;    ///< draws triangles
     bool int64_atomics = false;
-    bool float64 = false;  ///< shaders in double precision
+    bool lines = false;  ///< the device's rasteriser draws lines of pixels, up to line_width_max across
+    float line_width_max = 1;
+    bool mesh_shader = false, mesh_subgroups = false;
+    bool geometry_shader = false, tessellation_shader = false;
+    std::uint32_t failed_pipelines = 0;  ///< bit 1 << model::FibletPipeline for each that failed its self-test
+    bool float64 = false;                ///< shaders in double precision
 };
 
 /// What is known about one layer of the request before drawing it.

@@ -12,6 +12,8 @@ struct LayerFacts;
 struct Abilities;
 
 struct FibletPlan {
+    model::FibletPipeline pipeline = model::FibletPipeline::kAtomic;
+    bool mesh_subgroups = false;  ///< of pipeline mesh
     model::FibletCulling culling = model::FibletCulling::kTwoPhase;
     bool lines = true;           ///< some fibres are lines
     bool tubes = false;          ///< some are tubes
@@ -25,7 +27,7 @@ struct FibletPlan {
 };
 
 /// Adds a layer's pass and its entry in plan.fiblets, and fills in its open choices.
-/// \throws Error(kUnsupported) for a device without 64-bit atomics
+/// \throws Error(kUnsupported) for a pipeline that the device lacks, saying what it lacks
 void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& abilities, FramePlan& plan);
 
 }  // namespace radiata::plan

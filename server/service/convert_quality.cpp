@@ -86,6 +86,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     checkEnum(quality.fiblet_pipeline(), v1::FibletPipeline_IsValid, v1::FibletPipeline_MAX, where + ".fiblet_pipeline");
     checkEnum(quality.fiblet_culling(), v1::FibletCulling_IsValid, v1::FibletCulling_MAX, where + ".fiblet_culling");
     model::Quality result;
+    result.fiblet_pipeline = pipelineOf(quality.fiblet_pipeline());
     result.fiblet_culling = cullingOf(quality.fiblet_culling());
     if (quality.has_frozen_culling()) result.frozen_culling = fromProto(quality.frozen_culling(), where + ".frozen_culling");
     if (quality.has_fiblet_detail_px()) result.fiblet_detail_px = quality.fiblet_detail_px();
@@ -128,7 +129,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
 v1::Quality toProto(const model::Quality& quality) {
     v1::Quality message;
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
-    message.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    message.set_fiblet_pipeline(pipelineOf(quality.fiblet_pipeline));
     message.set_fiblet_culling(cullingOf(quality.fiblet_culling));
     if (quality.frozen_culling) *message.mutable_frozen_culling() = toProto(*quality.frozen_culling);
     if (quality.fiblet_detail_px) message.set_fiblet_detail_px(*quality.fiblet_detail_px);

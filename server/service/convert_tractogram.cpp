@@ -132,6 +132,11 @@ v1::TractogramLayer toProto(const model::TractogramLayer& layer) {
     return message;
 }
 
+// Numbered alike.
+model::FibletPipeline pipelineOf(v1::FibletPipeline pipeline) { return static_cast<model::FibletPipeline>(pipeline); }
+v1::FibletPipeline pipelineOf(model::FibletPipeline pipeline) { return static_cast<v1::FibletPipeline>(pipeline); }
+static_assert(static_cast<int>(model::FibletPipeline::kPoints) == v1::FIBLET_PIPELINE_POINTS);
+
 model::FibletCulling cullingOf(v1::FibletCulling culling) {
     switch (culling) {
         case v1::FIBLET_CULLING_FRUSTUM:

@@ -80,6 +80,21 @@ struct FibletLayerParams {
 };
 STATIC_SIZE(FibletLayerParams, 408);
 
+// A decoded fiblet on its way to the rasteriser.
+struct FibletSlot {
+    uint fiblet;
+    uint segments;
+    vec4 eye[64];  // points as fibletEyePoint() has them; segments + 1 are set
+};
+STATIC_SIZE(FibletSlot, 1032);
+
+// A point of a fibre without compression. Of the last point of a fibre `who` is that of the point before.
+struct FibreVertex {
+    vec3 point;  // from the fiblets' origin, mm
+    uint who;    // the segment that begins here
+};
+STATIC_SIZE(FibreVertex, 16);
+
 // Written by the device.
 struct FibletCounts {
     uint listed;    // fiblets in the list

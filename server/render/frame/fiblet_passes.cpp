@@ -53,16 +53,21 @@ public:
           scene_(*run.list.layers[index_].tracts),
           own_(*run.target.fiblets[index_]),
           first_(pass.first),
-          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
+          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : ""),
+          lines_(run, index_, own_, pace, suffix_) {}
 
     void draw() {
         if (run_.list.frozen) freeze();
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         begin(first_);
+        if (atomic()) {
+            run_.target.fiblet_lines.reset();
+        } else {
+            lines_.begin();
+        }
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.culling == model::FibletCulling::kNone) {
-                raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
-                own_.drawn = scene_.fibletCount();
+                drawAll();
             } else if (run_.list.frozen) {
                 step(1, 0, orderPages());
             } else {
@@ -73,6 +78,10 @@ public:
     }
 
 private:
+    bool atomic() const { return plan_.pipeline == model::FibletPipeline::kAtomic; }
+    bool meshes() const {
+        return plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial;
+    }
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
     bool coverage() const { return plan_.culling == model::FibletCulling::kCoverage; }
 
@@ -89,6 +98,7 @@ private:
         own_.knows_visible = false;
         prepare(run_.list.frozen->rays, run_.list.frozen->reference_mm);
         begin(true);
+        if (!atomic()) lines_.begin();
         if (run_.list.frozen->sees_scene) drawCulled();
         run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         resolve(true, true, true);
@@ -138,15 +148,15 @@ private:
         const auto start = std::chrono::steady_clock::now();
         run_.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (fiblets == 0) return;
-        pace_.fiblets =
-            std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
+        pace_.learn(fiblets, took_ms);
     }
 
+    /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines ? 1U : 0U,
-                              plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U, detail_, coverage() ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                                                 plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U,
+                                                 plan_.selected_only ? 1U : 0U, detail_, coverage() ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -205,7 +215,7 @@ private:
             if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();
             own_.coverage->cull(run_, plan_, scene_, own_, suffix_);
             submit(0);
-            drawListed();
+            drawListed(true);
             return;
         }
         if (!twoPhases()) {
@@ -230,14 +240,29 @@ private:
 
     /// Draws what a phase of culling leaves of some pages in their order.
     void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        cull(phase, first, end);
-        drawListed();
+        const bool mesh_lines = meshes() && plan_.lines;
+        if (mesh_lines) lines_.drawPages(phase, first, end, !plan_.tubes);
+        if (!mesh_lines || plan_.tubes) cull(phase, first, end);
+        drawListed(!mesh_lines);
     }
 
-    void drawListed() {
-        const std::uint32_t listed = own_.counts().listed;
-        raster(true, static_cast<std::uint32_t>(own_.drawn), listed);
+    /// What is new in the list. \param lines  not only tubes
+    void drawListed(bool lines) {
+        const std::uint32_t listed = own_.counts().listed, drawn = static_cast<std::uint32_t>(own_.drawn);
+        if (!atomic() && lines && plan_.lines) lines_.draw(true, drawn, listed);
+        if (atomic() || plan_.tubes) raster(true, drawn, listed);
         own_.drawn = listed;
+    }
+
+    void drawAll() {
+        const auto all = static_cast<std::uint32_t>(scene_.fibletCount());
+        if (meshes() && plan_.lines) {
+            lines_.drawPages(3, 0, static_cast<std::uint32_t>(scene_.pages().size()), false);
+        } else if (!atomic() && plan_.lines) {
+            lines_.draw(false, 0, all);
+        }
+        if (atomic() || plan_.tubes) raster(false, 0, all);
+        own_.drawn = all;
     }
 
     void surface() {
@@ -281,6 +306,7 @@ private:
     std::uint32_t detail_ = 0;
     bool first_;  ///< nothing is in the surface buffer yet
     std::string suffix_;
+    FibletLines lines_;
 };
 
 }  // namespace

@@ -34,4 +34,14 @@ std::shared_ptr<const FibreLook> FibreScenes::look(gpu::Device& device, const st
     return looks_.front().look;
 }
 
+std::shared_ptr<const FibreVertices> FibreScenes::vertices(gpu::Device& device,
+                                                           const std::shared_ptr<const FibletScene>& scene) {
+    if (vertices_serial_ != scene->serial()) {
+        vertices_.reset();
+        vertices_ = std::make_shared<const FibreVertices>(device, scene->set());
+        vertices_serial_ = scene->serial();
+    }
+    return vertices_;
+}
+
 }  // namespace radiata::render

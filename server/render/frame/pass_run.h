@@ -13,6 +13,7 @@
 #include "plan/plan.h"
 #include "render/fiblet/fiblet_scene.h"
 #include "render/fiblet/fibre_look.h"
+#include "render/fiblet/fibre_vertices.h"
 #include "render/frame/pipelines.h"
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
@@ -29,6 +30,7 @@ struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const FibletScene> tracts;
     std::shared_ptr<const FibreLook> fibres;              ///< of tracts
+    std::shared_ptr<const FibreVertices> vertices;        ///< of tracts, for pipelines that draw uncompressed points
     std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
     std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
     plan::SceneBounds bounds;                             ///< world

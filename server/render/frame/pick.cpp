@@ -117,6 +117,7 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     model::FrameRequest pixel = request;
     pixel.quality = {};
     pixel.quality.samples = 1;
+    pixel.quality.fiblet_pipeline = request.quality.fiblet_pipeline;
     pixel.quality.fiblet_detail_px = request.quality.fiblet_detail_px;
     pixel.quality.traversal = abilities.bvh ? model::Traversal::kBvh : model::Traversal::kRayQuery;
     pixel.quality.pole_table = model::PoleTable::kOff;

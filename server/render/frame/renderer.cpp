@@ -13,6 +13,7 @@
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
 #include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
@@ -93,6 +94,7 @@ struct Renderer::Impl {
     model::Limits limits;
     Drawer drawer;
     plan::Abilities abilities;
+    std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
     std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
@@ -102,7 +104,7 @@ struct Renderer::Impl {
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
-        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
+        addFibreAbilities(device, abilities);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -148,6 +150,7 @@ struct Renderer::Impl {
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
             result.fibres = tracts.look(device, result.tracts, *fibres);
+            if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -223,11 +226,26 @@ struct Renderer::Impl {
         return facts;
     }
 
+    /// Tests a way to draw fibres before its first use; plans refuse those that fail.
+    void testFibres(model::FibletPipeline wanted) {
+        using Pipeline = model::FibletPipeline;
+        const auto bit = [](Pipeline one) { return 1U << static_cast<unsigned>(one); };
+        if (wanted == Pipeline::kAuto) {
+            testFibres(Pipeline::kAtomic);
+            if ((abilities.failed_pipelines & bit(Pipeline::kAtomic)) != 0) testFibres(Pipeline::kPull);
+            return;
+        }
+        if ((tested_pipelines & bit(wanted)) != 0) return;
+        tested_pipelines |= bit(wanted);
+        if (!fibletPipelineWorks(device, drawer, wanted, abilities)) abilities.failed_pipelines |= bit(wanted);
+    }
+
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
         const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
+            if (layer.ifTracts()) testFibres(request.quality.fiblet_pipeline);
             list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.

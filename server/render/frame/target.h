@@ -32,6 +32,7 @@ struct UncertaintyBuffers {
 };
 struct RasterBuffers;
 struct FibletBuffers;
+struct FibletLineBuffers;
 
 struct Target::Impl {
     Impl();
@@ -55,6 +56,7 @@ struct Target::Impl {
     std::uint64_t surface_number = 0;  ///< of the first sample in the surface buffer, unlike any other's
     bool settled = false;              ///< its global light is that of a picture at rest
     std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
+    std::unique_ptr<FibletLineBuffers> fiblet_lines;      ///< only while fibres are drawn by other pipelines than atomic
     std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)

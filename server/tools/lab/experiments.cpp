@@ -48,6 +48,12 @@ const std::vector<Experiment>& experiments() {
         {"schertzer-fig9",
          "Schertzer et al. 2022, Fig. 9: what the coverage buffer culls wrongly after turns of up to 60 degrees",
          schertzerFig9},
+        {"fiblet-pipelines", "fibres by each pipeline, whole and in a close-up: time per segment, and pixels that differ",
+         fibletPipelines},
+        {"schertzer-table2", "Schertzer et al. 2022, Table 2: fibres by each pipeline, culled and not, in a turn",
+         schertzerTable2},
+        {"schertzer-table3", "Schertzer et al. 2022, Table 3: fiblets against uncompressed points and lines", schertzerTable3},
+        {"schertzer-fig8", "Schertzer et al. 2022, Fig. 8: pixels that differ from the uncompressed fibres", schertzerFig8},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
     };

@@ -31,6 +31,10 @@ Report illuminationPareto(gpu::Device& device, const Options& options);
 Report fibletCodec(gpu::Device& device, const Options& options);
 Report schertzerTable1(gpu::Device& device, const Options& options);
 Report schertzerFig9(gpu::Device& device, const Options& options);
+Report fibletPipelines(gpu::Device& device, const Options& options);
+Report schertzerTable2(gpu::Device& device, const Options& options);
+Report schertzerTable3(gpu::Device& device, const Options& options);
+Report schertzerFig8(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab
