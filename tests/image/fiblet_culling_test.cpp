@@ -10,7 +10,6 @@
 #include "reference/fiblet_coverage.h"
 #include "render/frame/fiblet_coverage.h"
 #include "render/frame/target.h"
-#include "shaders/shared/fiblet_coverage.glsl"
 
 namespace radiata::test {
 namespace {

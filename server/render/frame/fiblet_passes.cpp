@@ -14,10 +14,12 @@
 namespace radiata::render {
 namespace {
 
-/// Shares of the pages, nearest first, after which the second phase looks at the depths anew: without knowledge of the latest
-/// picture what is in front must be drawn before it can hide anything.
-constexpr std::array<double, 5> kColdParts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-constexpr std::array<double, 1> kWarmParts{1.0};
+/// Shares of the pages, nearest first, before each of which the second phase looks at the depths anew: what is in front must be
+/// drawn before it can hide anything. Those seen last do not spare that: the camera moves, and through the gaps that it finds
+/// between them all pages would be seen.
+constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
+/// A new pyramid takes about as long as drawing a page for so many pixels.
+constexpr std::uint64_t kPixelsPerPage = 4096;
 /// Segments per pixel of a transparent layer that a moving picture composes.
 constexpr int kMovingPeels = 4;
 /// Workgroups of one dispatch; every device takes 65,535.
@@ -292,16 +294,15 @@ private:
             step(0, 0, pages);
             return;
         }
-        const bool warm = own_.knows_visible;
-        if (warm) {
+        if (own_.knows_visible) {
             step(1, 0, pages);
         } else {
             run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         }
         std::uint32_t first = 0;
-        const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
-        for (const double part : parts) {
+        for (const double part : kParts) {
             const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+            if (part < 1 && end - first <= run_.pixels() / kPixelsPerPage) continue;
             run_.checkCancelled();
             pyramid();
             step(2, first, end);
