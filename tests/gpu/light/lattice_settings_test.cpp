@@ -6,6 +6,7 @@
 
 #include <unistd.h>
 
+#include "base/error.h"
 #include "build/light_harmonics.h"
 #include "gpu/light/lattice_fixture.h"
 #include "reference/path_tracer.h"
