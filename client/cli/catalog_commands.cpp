@@ -107,19 +107,19 @@ std::string describeTracts(const v1::Dataset& entry) {
 }
 
 std::string describeMap(const v1::Dataset& entry) {
-    return formatTable({"dataset", entry.id()},
-                       {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
-                        {"pixels", entry.size_size() < 2 ? "" : std::to_string(entry.size(0)) + "x" + std::to_string(entry.size(1))},
-                        {"luminance", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)}});
+    return formatTable(
+        {"dataset", entry.id()},
+        {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
+         {"pixels", entry.size_size() < 2 ? "" : std::to_string(entry.size(0)) + "x" + std::to_string(entry.size(1))},
+         {"luminance", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)}});
 }
 
 std::string describeMesh(const v1::Dataset& entry) {
-    return formatTable({"dataset", entry.id()},
-                       {{"kind", "mesh"},
-                        {"points", std::to_string(entry.points())},
-                        {"triangles", std::to_string(entry.triangles())},
-                        {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
-                        {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
+    return formatTable({"dataset", entry.id()}, {{"kind", "mesh"},
+                                                 {"points", std::to_string(entry.points())},
+                                                 {"triangles", std::to_string(entry.triangles())},
+                                                 {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
+                                                 {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
 }
 
 std::string describe(const v1::Dataset& entry) {

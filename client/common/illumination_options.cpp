@@ -141,7 +141,8 @@ void setIllumination(v1::Light& light, const IlluminationOptions& options) {
     if (!options.sky_gradient.empty()) *global.mutable_sky()->mutable_gradient() = vectorOf(options.sky_gradient);
     if (!options.sky_up.empty()) *global.mutable_sky()->mutable_up() = vectorOf(options.sky_up);
     if (!options.environment.empty()) {
-        if (!options.sky.empty() || !options.sky_gradient.empty()) refuse("--environment takes the place of --sky; give one of them");
+        if (!options.sky.empty() || !options.sky_gradient.empty())
+            refuse("--environment takes the place of --sky; give one of them");
         global.mutable_environment()->set_id(options.environment);
         if (options.environment_scale) global.mutable_environment()->set_scale(*options.environment_scale);
     } else if (options.environment_scale) {

@@ -39,7 +39,9 @@ BrightPixels brightPixels(const model::EnvironmentMap& map) {
     const auto area = [&](int y) {
         return 2 * kPi / map.width * (std::cos(kPi * y / map.height) - std::cos(kPi * (y + 1) / map.height));
     };
-    const auto at = [&](int x, int y) { return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x); };
+    const auto at = [&](int x, int y) {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x);
+    };
     double mean = 0;
     for (int y = 0; y < map.height; ++y) {
         for (int x = 0; x < map.width; ++x) mean += area(y) / (4 * kPi) * luminance(map.pixels[at(x, y)]);

@@ -11,9 +11,10 @@
 namespace radiata {
 
 struct BrightPixels {
-    float cap = 0;       ///< luminance: four times the map's mean
-    double weight = 0;   ///< what pixels have above it, times their solid angle, summed
-    std::vector<shader::BrightPixel> table;  ///< an entry by even chance, then one of its two pixels; empty if none is above the cap
+    float cap = 0;      ///< luminance: four times the map's mean
+    double weight = 0;  ///< what pixels have above it, times their solid angle, summed
+    std::vector<shader::BrightPixel>
+        table;  ///< an entry by even chance, then one of its two pixels; empty if none is above the cap
 };
 
 BrightPixels brightPixels(const model::EnvironmentMap& map);

@@ -91,7 +91,8 @@ void LatticeWriter::write(const LatticePart& part) {
                   static_cast<uLong>(whole.size()), kEffort) != Z_OK) {
         throw Error(Code::kInternal, "zlib could not pack a part of a lattice");
     }
-    const PartHead head{static_cast<std::uint32_t>(part.bricks.size()), static_cast<std::uint32_t>(packed_bytes), crcOf(whole), 0};
+    const PartHead head{static_cast<std::uint32_t>(part.bricks.size()), static_cast<std::uint32_t>(packed_bytes), crcOf(whole),
+                        0};
     file_.write(std::as_bytes(std::span(&head, 1)));
     file_.write(std::span(packed).first(packed_bytes));
     written_ += part.bricks.size();
@@ -99,8 +100,8 @@ void LatticeWriter::write(const LatticePart& part) {
 
 void LatticeWriter::finish() {
     if (written_ != header_.bricks) {
-        throw Error(Code::kInternal, "a lattice of " + std::to_string(header_.bricks) + " bricks was written with " +
-                                         std::to_string(written_));
+        throw Error(Code::kInternal,
+                    "a lattice of " + std::to_string(header_.bricks) + " bricks was written with " + std::to_string(written_));
     }
     file_.finish();
 }
@@ -135,8 +136,8 @@ std::optional<LatticePart> LatticeReader::read(std::uint64_t bricks) {
     }
     const std::size_t bytes = unpackedBytes(head.bricks, header_.payload_bytes);
     if (head.packed_bytes > compressBound(static_cast<uLong>(bytes))) {
-        throw Error(Code::kCorrupt, where + " says it has " + std::to_string(head.packed_bytes) + " packed bytes for " +
-                                        std::to_string(bytes));
+        throw Error(Code::kCorrupt,
+                    where + " says it has " + std::to_string(head.packed_bytes) + " packed bytes for " + std::to_string(bytes));
     }
     std::vector<std::byte> packed(head.packed_bytes), whole(bytes);
     readAll(file_, packed, "a part");

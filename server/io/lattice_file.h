@@ -48,7 +48,8 @@ private:
 /// Reads part by part and checks each before it gives it.
 class LatticeReader {
 public:
-    /// \throws Error(kNotFound, kUnavailable) if it cannot be opened, (kCorrupt) naming what contradicts what, (kUnsupported) for
+    /// \throws Error(kNotFound, kUnavailable) if it cannot be opened, (kCorrupt) naming what contradicts what, (kUnsupported)
+    /// for
     ///         another version
     explicit LatticeReader(const std::filesystem::path& path);
     const LatticeHeader& header() const { return header_; }

@@ -37,7 +37,8 @@ void checkLights(const Illumination& light, const std::string& where) {
     }
     checkDirection(light.sky.up, where + ".sky.up");
     if (light.environment) {
-        if (light.environment->id.empty()) refuse(where + ".environment.id is empty; the catalogue lists the names of environment maps");
+        if (light.environment->id.empty())
+            refuse(where + ".environment.id is empty; the catalogue lists the names of environment maps");
         checkRange(light.environment->scale, 0, kScaleMax, where + ".environment.scale");
     }
     if (light.suns.size() > kLightsMax || light.lights.size() > kLightsMax) {
@@ -78,7 +79,8 @@ void validate(const Illumination& light, const std::string& where) {
         refuse(where + ".storage is RGB8, which holds irradiance; transfer needs float16 or float32");
     }
     if (light.full && light.project) {
-        refuse(where + ".full asks for all texels, which are lit on their own level sets; .project would light them on one surface");
+        refuse(where +
+               ".full asks for all texels, which are lit on their own level sets; .project would light them on one surface");
     }
     checkLights(light, where);
 }

@@ -48,8 +48,8 @@ struct EnvironmentMap {
     int width = 0, height = 0;
     std::vector<glm::vec3> pixels;
     std::string source;
-    /// Red, green and blue in spherical harmonics of order 5, not turned, of scale 1; empty unless build/light_harmonics.h filled
-    /// them in. Turning these costs nothing, summing up millions of pixels does.
+    /// Red, green and blue in spherical harmonics of order 5, not turned, of scale 1; empty unless build/light_harmonics.h
+    /// filled them in. Turning these costs nothing, summing up millions of pixels does.
     std::array<std::vector<double>, 3> harmonics{};
     std::uint32_t check = 0;  ///< of the pixels, where harmonics are
 };
@@ -80,7 +80,8 @@ struct Illumination {
     int bounces = 3;                                         ///< 0 to 4
     std::array<int, kBouncesMax + 1> orders{5, 3, 2, 2, 2};  ///< of kTransfer, by bounce; 1 to 5
     bool project = true;  ///< at rest texels are lit on the shown surface; false: on their own level sets, as in the paper
-    /// All texels, on their own level sets, in place of those that a picture needs; saved beside the dataset once they are done.
+    /// All texels, on their own level sets, in place of those that a picture needs; saved beside the dataset once they are
+    /// done.
     bool full = false;
     float relative_error = 0.02F;  ///< standard error at which a texel or pixel is done, of its value or a floor of 0.01
     int samples_max = 1024;        ///< per texel or pixel, a power of two from 4 to 16384
@@ -118,7 +119,7 @@ struct IlluminationInfo {
     std::uint64_t payload_bytes = 0;    ///< of it: what the texels keep of light
     std::uint64_t texels_read = 0;      ///< of the whole lattice: that came from a saved one
     bool projected = false;             ///< texels are lit on the shown surface
-    std::string saved;  ///< of Illumination::full, once it is done: the file's name, or why there is none
+    std::string saved;                  ///< of Illumination::full, once it is done: the file's name, or why there is none
     bool operator==(const IlluminationInfo&) const = default;
 };
 

@@ -53,7 +53,8 @@ public:
     /// One sentence for the log.
     void note(const std::string& sentence) const;
 
-    /// Adds every readable image, environment map and tractogram of a folder, or one file (or .trx folder). Ids come from file names
+    /// Adds every readable image, environment map and tractogram of a folder, or one file (or .trx folder). Ids come from file
+    /// names
     /// ("xa_fod8.nii.gz" -> "xa_fod8"). \param tensors  the files hold tensors in this format; without it those are tensors
     /// whose headers say so \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
     std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file,

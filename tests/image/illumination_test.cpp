@@ -264,7 +264,8 @@ TEST_F(GlobalLight, WholeLatticesServeEveryCameraAndTheNextStart) {
     lightOf(wanted).samples_max = 32;
     const model::Frame first = renderer.renderAll(wanted);
     EXPECT_EQ(first.info.illumination->texels_done, 24u * 24 * 24);
-    EXPECT_THAT(first.info.illumination->saved, testing::AllOf(testing::StartsWith("volume.nii-"), testing::EndsWith(".lattice")));
+    EXPECT_THAT(first.info.illumination->saved,
+                testing::AllOf(testing::StartsWith("volume.nii-"), testing::EndsWith(".lattice")));
     model::FrameRequest turned = wanted;
     turned.camera.eye_mm = {-60, 40, -25};
     turned.scene.layers[0].surface().isovalue = 45;

@@ -40,12 +40,12 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
-    run.recorder.dispatch(run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
-                          LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
-                                    run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
-                                    media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
-                                    global ? target.global_light.address() : 0,
-                                    surfaceLooksAddress(target, *run.list.plan), 0});
+    run.recorder.dispatch(
+        run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
+        LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
+                  run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
+                  media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
+                  global ? target.global_light.address() : 0, surfaceLooksAddress(target, *run.list.plan), 0});
 }
 
 void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail) {
@@ -64,9 +64,10 @@ void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bo
                                                0U,
                                                1U,
                                                tail ? 1U : 0U};
-    run.recorder.dispatch(run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
-                          LightPush{run.frameAddress(), target.peel_surface.address(), 0,
-                                    run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0, target.veil.address(), 0, 0, layer});
+    run.recorder.dispatch(
+        run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
+        LightPush{run.frameAddress(), target.peel_surface.address(), 0, run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0,
+                  target.veil.address(), 0, 0, layer});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {

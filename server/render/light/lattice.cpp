@@ -49,7 +49,8 @@ void LatticeRun::checkCancelled() const {
 
 bool IlluminationLattice::sameTexels(const model::Illumination& a, const model::Illumination& b) {
     return a.payload == b.payload && a.storage == b.storage && a.resolution == b.resolution && a.bounces == b.bounces &&
-           a.sampling == b.sampling && a.budget_mib == b.budget_mib && (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
+           a.sampling == b.sampling && a.budget_mib == b.budget_mib &&
+           (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
 }
 
 IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<const store::VolumeDataset> volume,
@@ -81,8 +82,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
 }
 
 std::vector<std::uint32_t> IlluminationLattice::constants() const {
-    return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U,
-            static_cast<std::uint32_t>(light_.storage)};
+    return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U, static_cast<std::uint32_t>(light_.storage)};
 }
 
 void IlluminationLattice::refreshAddresses() {
@@ -103,7 +103,8 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     const bool new_albedo = !lit_ || albedo != albedo_;
     const bool irradiance = light.payload == model::TexelPayload::kIrradiance;
     const bool one_colour = light.storage == model::TexelStorage::kRgb8;
-    const bool drop = lit_ && ((new_light && irradiance) || (new_albedo && one_colour) || (projected_ && isovalue != isovalue_));
+    const bool drop =
+        lit_ && ((new_light && irradiance) || (new_albedo && one_colour) || (projected_ && isovalue != isovalue_));
     const bool harder = light.relative_error < light_.relative_error || light.samples_max > light_.samples_max;
     light_ = light;
     map_ = map;

@@ -66,8 +66,8 @@ public:
     /// All texels, in place of those that pixels need. \throws Error(kResourceExhausted) if the budget is too small for them
     void requestAll(const LatticeRun& run);
 
-    /// Goes on with all texels of the lattice, part by part, until they are done or the time is up. \return whether all are done
-    /// \throws Error(kResourceExhausted) if the budget is too small for them
+    /// Goes on with all texels of the lattice, part by part, until they are done or the time is up. \return whether all are
+    /// done \throws Error(kResourceExhausted) if the budget is too small for them
     bool lightAll(const LatticeRun& run, std::optional<std::chrono::steady_clock::time_point> until);
     /// Whether the latest request was one of lightAll().
     bool requestedWhole() const { return (requested_for_ & kWholeMark) != 0; }
@@ -78,7 +78,8 @@ public:
     /// \throws Error(kInternal) unless it is whole, Error(kUnavailable) naming the reason, such as a full disk
     void save(const std::filesystem::path& file) const;
     /// Takes over all texels of a saved lattice with this one's key, in place of what there is.
-    /// \throws Error of io::LatticeReader, Error(kResourceExhausted) if the budget is too small, Error(kInvalidArgument) for another
+    /// \throws Error of io::LatticeReader, Error(kResourceExhausted) if the budget is too small, Error(kInvalidArgument) for
+    /// another
     ///         lattice; then there are no texels
     void restore(const LatticeRun& run, const std::filesystem::path& file);
     /// What became of saving it, for info().

@@ -161,8 +161,7 @@ void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pix
     };
     lacking_.as<std::uint32_t>()[0] = 0;
     run.recorder.dispatch(
-        run.pipeline("isosurface_gather_light",
-                     {64U, static_cast<std::uint32_t>(light_.interpolation), settled ? 1U : 0U}),
+        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation), settled ? 1U : 0U}),
         pass, (pixels.pixels + 63) / 64, 1, 1,
         Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address(),
              light_.relative_error, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
@@ -194,7 +193,8 @@ std::vector<float> IlluminationLattice::payload(gpu::Device& device, const glm::
     if (light_.storage == model::TexelStorage::kRgb8) {
         glm::u8vec4 bytes;
         gpu::download(device, pool_.payload(), place * 4, std::as_writable_bytes(std::span(&bytes, 1)));
-        const glm::vec3 root = glm::vec3(bytes) / 255.0F, irradiance = root * root * (std::numbers::pi_v<float> * shared().rgb8_scale);
+        const glm::vec3 root = glm::vec3(bytes) / 255.0F,
+                        irradiance = root * root * (std::numbers::pi_v<float> * shared().rgb8_scale);
         return {irradiance.x, irradiance.y, irradiance.z};
     }
     std::vector<float> values(count);

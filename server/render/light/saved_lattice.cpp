@@ -131,7 +131,8 @@ void IlluminationLattice::restore(const LatticeRun& run, const std::filesystem::
         dropTexels();
         throw;
     }
-    texels_read_ = static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y) * static_cast<std::uint64_t>(size_.z);
+    texels_read_ =
+        static_cast<std::uint64_t>(size_.x) * static_cast<std::uint64_t>(size_.y) * static_cast<std::uint64_t>(size_.z);
     // Saved with a larger error than is asked for now: the parts are gone through again.
     if (whole_.done == texels_read_) {
         whole_.next_brick = brickCount();

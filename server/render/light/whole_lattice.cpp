@@ -17,10 +17,9 @@ constexpr std::uint64_t kBricksPerPart = 128;
 void IlluminationLattice::requestBricks(const LatticeRun& run, std::uint64_t begin, std::uint64_t end, std::uint64_t mark) {
     run.checkCancelled();
     if (!pool_.fits(brickCount())) {
-        throw Error(Code::kResourceExhausted, "the whole illumination lattice needs " +
-                                                  std::to_string(brickCount() * pool_.brickBytes() / 1048576 + 1) +
-                                                  " MiB, the budget is " +
-                                                  std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
+        throw Error(Code::kResourceExhausted,
+                    "the whole illumination lattice needs " + std::to_string(brickCount() * pool_.brickBytes() / 1048576 + 1) +
+                        " MiB, the budget is " + std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
     }
     requested_for_ = 0;
     shared().request = pool_.beginRequest();

@@ -34,7 +34,8 @@ double difference(const model::Frame& a, const model::Frame& b) {
 double samplesFor(const std::vector<std::pair<int, double>>& curve, double wanted) {
     for (std::size_t i = 1; i < curve.size(); ++i) {
         if (curve[i].second > wanted && i + 1 < curve.size()) continue;
-        const double slope = std::log(curve[i].second / curve[i - 1].second) / std::log(double(curve[i].first) / curve[i - 1].first);
+        const double slope =
+            std::log(curve[i].second / curve[i - 1].second) / std::log(double(curve[i].first) / curve[i - 1].first);
         return curve[i - 1].first * std::exp(std::log(wanted / curve[i - 1].second) / slope);
     }
     return curve.back().first;
@@ -98,9 +99,9 @@ Report illuminationFirst(gpu::Device& device, const Options& options) {
         info = *frame.info.illumination;
         return frame.info.render_ms;
     };
-    interleave(bench.report.repeats, {[&] { primary.values.push_back(bench.draw(plain).info.render_ms); },
-                                      [&] { irradiance.values.push_back(first(lit)); },
-                                      [&] { other.values.push_back(first(transfer)); }});
+    interleave(bench.report.repeats,
+               {[&] { primary.values.push_back(bench.draw(plain).info.render_ms); },
+                [&] { irradiance.values.push_back(first(lit)); }, [&] { other.values.push_back(first(transfer)); }});
     for (Series* series : {&primary, &irradiance, &other}) series->values.erase(series->values.begin());
     const double base = primary.median();
     Table table{"time to the first lit picture", {"picture", "ms", "of primary rays"}, {}};
@@ -110,8 +111,8 @@ Report illuminationFirst(gpu::Device& device, const Options& options) {
     }
     bench.report.tables.push_back(table);
     const double share = static_cast<double>(info.texels_needed) / static_cast<double>(info.texels);
-    bench.report.notes.push_back("four samples for each of " + std::to_string(info.texels_needed) + " texels, " + percent(share) +
-                                 " of the lattice");
+    bench.report.notes.push_back("four samples for each of " + std::to_string(info.texels_needed) + " texels, " +
+                                 percent(share) + " of the lattice");
     bench.report.checks.push_back({"texels of the view, share of the lattice", share, "<=", 0.06});
     bench.report.checks.push_back({"first lit picture / primary rays, irradiance", irradiance.median() / base, "<=", 6});
     bench.report.checks.push_back({"first lit picture / primary rays, transfer", other.median() / base, "<=", 6});
@@ -129,7 +130,8 @@ Report illuminationMemory(gpu::Device& device, const Options& options) {
             for (int x = 0; x < cut.size.x; ++x) cut.values.push_back(ball.at({x + 49, y, z + 29}));
         }
     }
-    LightBench bench(device, options, "illumination-memory", cut, 30, "folded ball, 110x208x149 voxels as the paper's engine", 512);
+    LightBench bench(device, options, "illumination-memory", cut, 30, "folded ball, 110x208x149 voxels as the paper's engine",
+                     512);
     const double dense_texels = 110.0 * 208 * 149;
     Table table{"MiB of texels",
                 {"texels keep", "bytes a texel", "dense, light", "one view", "six views: the whole isosurface", "light of it"},
@@ -164,8 +166,9 @@ Report illuminationMemory(gpu::Device& device, const Options& options) {
         }
     }
     bench.report.tables.push_back(table);
-    bench.report.notes.push_back("beside light, a texel has 16 bytes that list and interpolate it: a dense lattice takes 52 MiB more "
-                                 "than 'dense, light'; 'one view' and 'six views' count everything");
+    bench.report.notes.push_back(
+        "beside light, a texel has 16 bytes that list and interpolate it: a dense lattice takes 52 MiB more "
+        "than 'dense, light'; 'one view' and 'six views' count everything");
     bench.report.notes.push_back("the paper: 9.75 MB for RGB8, 975 MB for transfer of order 5 in fp32");
     return bench.report;
 }

@@ -17,8 +17,8 @@ LabVolume headOrBall(int size) {
             const glm::dvec3 middle = 0.5 * glm::dvec3(image.size - 1);
             image.voxel_to_world = glm::dmat4(1);
             image.voxel_to_world[3] = glm::dvec4(-middle, 1);
-            const std::string extent = std::to_string(image.size.x) + "x" + std::to_string(image.size.y) + "x" +
-                                       std::to_string(image.size.z);
+            const std::string extent =
+                std::to_string(image.size.x) + "x" + std::to_string(image.size.y) + "x" + std::to_string(image.size.z);
             return {std::move(image), 25, "T1 image of a head (" + extent + " voxels of 1 mm, public), isovalue 25"};
         }
     }

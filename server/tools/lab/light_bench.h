@@ -54,8 +54,8 @@ private:
 
 inline std::string percent(double value) { return shortNumber(100 * value) + " %"; }
 
-/// A head if RADIATA_DATA names the folder of the real data, else the folded ball of `size`^3. Voxels are 1 mm along the world's
-/// axes either way: the reference knows no others.
+/// A head if RADIATA_DATA names the folder of the real data, else the folded ball of `size`^3. Voxels are 1 mm along the
+/// world's axes either way: the reference knows no others.
 struct LabVolume {
     model::ScalarImage image;
     float isovalue;

@@ -39,11 +39,12 @@ double shadowDepth(const model::Frame& frame) {
     int shadow_pixels = 0, other_pixels = 0;
     for (std::size_t i = 0; i < frame.pixels.depth.size(); ++i) {
         if (!std::isfinite(frame.pixels.depth[i])) continue;
-        const glm::dvec3 grid = 23.5 + frame.info.position_origin_mm +
-                                glm::dvec3(frame.pixels.position[3 * i], frame.pixels.position[3 * i + 1],
-                                           frame.pixels.position[3 * i + 2]);
+        const glm::dvec3 grid =
+            23.5 + frame.info.position_origin_mm +
+            glm::dvec3(frame.pixels.position[3 * i], frame.pixels.position[3 * i + 1], frame.pixels.position[3 * i + 2]);
         if (grid.z > 17 || std::abs(grid.x - 23.5) > 8) continue;
-        const double v = frame.pixels.rgba[4 * i] / 255.0, value = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
+        const double v = frame.pixels.rgba[4 * i] / 255.0,
+                     value = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
         // Where the ray towards the sun passes the cord's axis.
         const double off = grid.y + (26 - grid.z) * kSunDirection.y / kSunDirection.z - 28;
         if (std::abs(off) < 0.35) {
@@ -61,11 +62,11 @@ double shadowDepth(const model::Frame& frame) {
 double trueDepth(const model::ScalarImage& image, double isovalue) {
     const reference::ScalarField field(image.size, std::vector<double>(image.values.begin(), image.values.end()));
     const double cosine = std::cos(5 * std::numbers::pi / 180), sine2 = 1 - cosine * cosine;
-    const reference::Lights lights{
-        [&](const glm::dvec3& d) {
-            return 0.2 + (glm::dot(d, kSunDirection) > cosine ? 1.5 / (std::numbers::pi * sine2) : 0.0);
-        },
-        {}};
+    const reference::Lights lights{[&](const glm::dvec3& d) {
+                                       return 0.2 +
+                                              (glm::dot(d, kSunDirection) > cosine ? 1.5 / (std::numbers::pi * sine2) : 0.0);
+                                   },
+                                   {}};
     const double z = 14 - (isovalue - 50) / 8, middle = 28 - (26 - z) * kSunDirection.y / kSunDirection.z;
     std::vector<double> found(8);
     parallelFor(found.size(), 1, [&](std::size_t begin, std::size_t end) {
@@ -81,8 +82,10 @@ double trueDepth(const model::ScalarImage& image, double isovalue) {
 }  // namespace
 
 Report wymanFig4(gpu::Device& device, const Options& options) {
-    LightBench bench(device, options, "wyman-fig4", cordOverFloor(), 50, "a floor and a cord above it that is gone at isovalue 62");
-    bench.report.scene = "48^3 voxels: a floor and a cord above it that is gone beyond isovalue 62; sun of 5 degrees, sky of 0.2, one bounce";
+    LightBench bench(device, options, "wyman-fig4", cordOverFloor(), 50,
+                     "a floor and a cord above it that is gone at isovalue 62");
+    bench.report.scene =
+        "48^3 voxels: a floor and a cord above it that is gone beyond isovalue 62; sun of 5 degrees, sky of 0.2, one bounce";
     Table table{"depth of the cord's shadow on the floor by isovalue",
                 {"isovalue", "cord's radius, voxels", "path tracing", "own level sets", "texels on the shown surface"},
                 {}};
@@ -101,16 +104,18 @@ Report wymanFig4(gpu::Device& device, const Options& options) {
         const model::Outputs outputs{.depth = true, .position = true};
         const double rest = shadowDepth(bench.draw(request, outputs));
         light.project = false;
-        const double own = shadowDepth(bench.draw(request, outputs)), truth = trueDepth(bench.image(), static_cast<double>(isovalue));
+        const double own = shadowDepth(bench.draw(request, outputs)),
+                     truth = trueDepth(bench.image(), static_cast<double>(isovalue));
         worst_own = std::max(worst_own, std::abs(own - truth));
         worst_rest = std::max(worst_rest, std::abs(rest - truth));
-        table.rows.push_back({shortNumber(isovalue), shortNumber(std::max(0.0, (kCordVanishes - isovalue) / 8)),
-                              percent(truth), percent(own), percent(rest)});
+        table.rows.push_back({shortNumber(isovalue), shortNumber(std::max(0.0, (kCordVanishes - isovalue) / 8)), percent(truth),
+                              percent(own), percent(rest)});
     }
     bench.report.tables.push_back(table);
     bench.report.notes.push_back("depth: one minus the light in the middle of the shadow over that beside it; 0 is no shadow");
-    bench.report.notes.push_back("texels between two voxels' isovalues mix shadows of cords of several radii: on their own level sets "
-                                 "shadows fade, as the paper's Fig. 4 shows; texels on the shown surface know its own cord only");
+    bench.report.notes.push_back(
+        "texels between two voxels' isovalues mix shadows of cords of several radii: on their own level sets "
+        "shadows fade, as the paper's Fig. 4 shows; texels on the shown surface know its own cord only");
     bench.report.checks.push_back({"largest error, shown surface / own level sets", worst_rest / worst_own, "<=", 0.65});
     return bench.report;
 }
@@ -140,8 +145,11 @@ Report wymanFig10(gpu::Device& device, const Options& options) {
     table.rows.push_back({"transfer, band 0 only", "1", percent(lightError(transfer, truth))});
     bench.report.tables.push_back(table);
     bench.report.notes.push_back("the two pictures differ by more than a 255th in " + std::to_string(differ) + " of " +
-                                 std::to_string(irradiance.pixels.rgba.size()) + " numbers, by " + std::to_string(most) + " at most");
-    bench.report.checks.push_back({"numbers that differ, share", static_cast<double>(differ) / static_cast<double>(irradiance.pixels.rgba.size()), "<=", 0.01});
+                                 std::to_string(irradiance.pixels.rgba.size()) + " numbers, by " + std::to_string(most) +
+                                 " at most");
+    bench.report.checks.push_back({"numbers that differ, share",
+                                   static_cast<double>(differ) / static_cast<double>(irradiance.pixels.rgba.size()),
+                                   "<=", 0.01});
     return bench.report;
 }
 

@@ -52,16 +52,18 @@ Report wymanTable1(gpu::Device& device, const Options& options) {
                whole.seconds / kWhole * all_texels / static_cast<double>(whole.texels), 0);
     }
     const auto begin = std::chrono::steady_clock::now();
-    const LightTruth traced = lightTruth(bench.renderer(), bench.image(), bench.request(LabSky::kSun), kTracedPixels, kTracedPaths);
+    const LightTruth traced =
+        lightTruth(bench.renderer(), bench.image(), bench.request(LabSky::kSun), kTracedPixels, kTracedPaths);
     model::FrameRequest plain = bench.request(LabSky::kSun);
     plain.scene.light.illumination.reset();
     const double pixels = static_cast<double>(bench.draw(plain).info.hit_pixels);
     addRow("path tracing in double, one picture", std::to_string(static_cast<int>(pixels)) + " pixels",
            secondsSince(begin) / kTracedPaths * pixels / static_cast<double>(traced.pixels.size()), 0);
     bench.report.tables.push_back(table);
-    bench.report.notes.push_back("lazy rows ran with 64 samples; full rows on every second texel along each axis (an eighth of all) with 4 "
-                                 "samples; path tracing on " + std::to_string(traced.pixels.size()) +
-                                 " pixels with 16 paths; all else is extrapolated in proportion");
+    bench.report.notes.push_back(
+        "lazy rows ran with 64 samples; full rows on every second texel along each axis (an eighth of all) with 4 "
+        "samples; path tracing on " +
+        std::to_string(traced.pixels.size()) + " pixels with 16 paths; all else is extrapolated in proportion");
     bench.report.notes.push_back("path tracing is the reference's: in double, on the processor, meeting the sun by chance");
     bench.report.checks.push_back({"texels of the view, share of the lattice", lazy_texels / all_texels, "<=", 0.06});
     return bench.report;

@@ -138,7 +138,8 @@ TEST_F(LatticeSettings, RandomPathsMeanTheSameAndNeedMore) {
         }
     }
     EXPECT_GT(texels, 300);
-    // Texels see 0.4 to 1 of the sky, so the relative error of 64 random paths is some 8 %; of the mean of hundreds a twentieth.
+    // Texels see 0.4 to 1 of the sky, so the relative error of 64 random paths is some 8 %; of the mean of hundreds a
+    // twentieth.
     EXPECT_NEAR(bias / texels, 0, 0.02);
     EXPECT_LT(2 * even_squares, random_squares) << "as random paths of less than half as many";
 }
