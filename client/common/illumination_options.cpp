@@ -51,6 +51,7 @@ Word wordOf(const std::map<std::string, Word>& words, const std::string& word) {
 }
 
 void setTexels(v1::Illumination& light, const IlluminationOptions& options) {
+    if (options.method == "path-tracing") light.set_method(v1::ILLUMINATION_METHOD_PATH_TRACING);
     light.set_payload(options.payload == "transfer" ? v1::TEXEL_PAYLOAD_TRANSFER : v1::TEXEL_PAYLOAD_IRRADIANCE);
     if (options.storage == "float32") light.set_storage(v1::TEXEL_STORAGE_FLOAT32);
     if (options.storage == "rgb8") light.set_storage(v1::TEXEL_STORAGE_RGB8);
@@ -83,6 +84,10 @@ void addIlluminationOptions(CLI::App& app, IlluminationOptions& options) {
                    "Light opaque isosurfaces with shadows and bounces: texels keep the irradiance of this light, or the "
                    "transfer of any")
         ->check(CLI::IsMember({"irradiance", "transfer"}));
+    app.add_option(
+           "--light-method", options.method,
+           "How global light is found: texels beside the volume, or paths from each pixel, to compare with (default lattice)")
+        ->check(CLI::IsMember({"lattice", "path-tracing"}));
     app.add_flag("--vicinity", options.vicinity, "Vicinity shading: global light of no bounces under a constant sky of 1");
     addVector(app, "--sky", options.sky, "Radiance of the sky, linear RGB (default 0.8 each)", "R,G,B");
     addVector(app, "--sky-gradient", options.sky_gradient, "Added to it, times the cosine with its upward direction", "R,G,B");
@@ -123,6 +128,7 @@ void addIlluminationOptions(CLI::App& app, IlluminationOptions& options) {
 
 void setIllumination(v1::Light& light, const IlluminationOptions& options) {
     if (options.payload.empty() && !options.vicinity) {
+        if (!options.method.empty()) refuse("--light-method goes with --global-light or --vicinity");
         if (!options.suns.empty() || !options.lamps.empty() || !options.sky.empty() || !options.sky_gradient.empty() ||
             !options.environment.empty() || options.full) {
             refuse("--sky, --environment, --sun, --lamp and --full go with --global-light irradiance or transfer");

@@ -13,6 +13,7 @@ namespace radiata::client {
 
 struct IlluminationOptions {
     std::string payload;  ///< empty: surfaces are lit like glyphs
+    std::string method;   ///< lattice or path-tracing; empty: not given
     std::string storage, interpolation, resolution;
     std::optional<std::uint32_t> bounces;
     std::vector<std::uint32_t> orders;

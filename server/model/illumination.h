@@ -54,6 +54,8 @@ struct EnvironmentMap {
     std::uint32_t check = 0;  ///< of the pixels, where harmonics are
 };
 
+/// kLattice: texels beside the volume; kPathTracing: paths from each pixel's own point, kept by nobody.
+enum class IlluminationMethod { kLattice, kPathTracing };
 /// What a texel keeps, for each number of bounces: irradiance of this scene's light, or the transfer of any distant light.
 enum class TexelPayload { kIrradiance, kTransfer };
 /// kRgb8: irradiance alone, of this light and this colour of the surface, all bounces together, as in the paper's Table 2.
@@ -69,6 +71,7 @@ enum class LatticeResolution { kEighth, kOne, kEight };
 constexpr int kBouncesMax = 4;
 
 struct Illumination {
+    IlluminationMethod method = IlluminationMethod::kLattice;
     TexelPayload payload = TexelPayload::kIrradiance;
     TexelStorage storage = TexelStorage::kFloat16;
     TexelInterpolation interpolation = TexelInterpolation::kTrilinear;
@@ -80,8 +83,8 @@ struct Illumination {
     /// All texels, on their own level sets, in place of those that a picture needs; saved beside the dataset once they are
     /// done.
     bool full = false;
-    float relative_error = 0.02F;  ///< standard error at which a texel is done, of its value or a floor of 0.01
-    int samples_max = 1024;        ///< per texel, a power of two from 4 to 16384
+    float relative_error = 0.02F;  ///< standard error at which a texel or pixel is done, of its value or a floor of 0.01
+    int samples_max = 1024;        ///< per texel or pixel, a power of two from 4 to 16384
     float budget_mib = 1024;       ///< device memory for texels
     Sky sky;
     std::vector<SunDisc> suns;
@@ -102,7 +105,7 @@ struct Illumination {
 /// \throws Error(kInvalidArgument) with the field and what would be right \param where  prefix of the fields' names
 void validate(const Illumination& light, const std::string& where);
 
-/// How far a picture's global light is.
+/// How far a picture's global light is. Of path tracing, the picture's pixels take the place of texels.
 struct IlluminationInfo {
     std::uint64_t texels = 0;           ///< of the whole lattice
     std::uint64_t texels_needed = 0;    ///< by the pixels of this picture

@@ -47,12 +47,14 @@ void fromLights(const v1::Illumination& message, model::Illumination& light) {
 }  // namespace
 
 model::Illumination fromProto(const v1::Illumination& message, const std::string& where) {
+    checkEnum(message.method(), v1::IlluminationMethod_IsValid, v1::IlluminationMethod_MAX, where + ".method");
     checkEnum(message.payload(), v1::TexelPayload_IsValid, v1::TexelPayload_MAX, where + ".payload");
     checkEnum(message.storage(), v1::TexelStorage_IsValid, v1::TexelStorage_MAX, where + ".storage");
     checkEnum(message.interpolation(), v1::TexelInterpolation_IsValid, v1::TexelInterpolation_MAX, where + ".interpolation");
     checkEnum(message.sampling(), v1::TexelSampling_IsValid, v1::TexelSampling_MAX, where + ".sampling");
     checkEnum(message.resolution(), v1::LatticeResolution_IsValid, v1::LatticeResolution_MAX, where + ".resolution");
     model::Illumination light;
+    light.method = choice(message.method(), light.method);
     light.payload = choice(message.payload(), light.payload);
     light.storage = choice(message.storage(), light.storage);
     light.interpolation = choice(message.interpolation(), light.interpolation);
@@ -83,6 +85,7 @@ model::Illumination fromProto(const v1::Illumination& message, const std::string
 
 v1::Illumination toProto(const model::Illumination& light) {
     v1::Illumination message;
+    message.set_method(word<v1::IlluminationMethod>(light.method));
     message.set_payload(word<v1::TexelPayload>(light.payload));
     message.set_storage(word<v1::TexelStorage>(light.storage));
     message.set_interpolation(word<v1::TexelInterpolation>(light.interpolation));

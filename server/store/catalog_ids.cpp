@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "base/error.h"
+#include "io/mesh_file.h"
 #include "store/tract_files.h"
 
 namespace radiata::store {
@@ -26,6 +27,7 @@ std::string stemOf(const std::filesystem::path& path) {
         const std::string whole = file.ends_with(".gz") ? file.substr(0, file.size() - 3) : file;
         return whole.substr(0, whole.rfind('.'));
     }
+    if (io::isMeshName(path)) return path.stem().string();
     for (const std::string_view suffix : kSuffixes) {
         if (file.size() > suffix.size() && file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
     }

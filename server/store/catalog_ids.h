@@ -6,7 +6,7 @@
 
 namespace radiata::store {
 
-/// File name without its suffix, or nothing if it is none of images, environment maps and tractograms.
+/// File name without its suffix, or nothing if it is no image, environment map, tractogram or mesh.
 std::string stemOf(const std::filesystem::path& path);
 
 /// The stem in lower case, of at most 60 characters, with '_' for what an id must not have.

@@ -1,7 +1,6 @@
 #include "store/store.h"
 
 #include <algorithm>
-#include <limits>
 #include <map>
 #include <mutex>
 
@@ -10,12 +9,14 @@
 #include "build/fibre_selection.h"
 #include "gpu/device.h"
 #include "io/fiblet_file.h"
+#include "io/mesh_file.h"
 #include "io/scalar_image.h"
 #include "io/sh_image.h"
 #include "io/stored_image.h"
 #include "io/tensor_image.h"
 #include "io/tractogram.h"
 #include "store/catalog_ids.h"
+#include "store/dataset_infos.h"
 #include "store/environment_files.h"
 #include "store/glyph_dataset.h"
 #include "store/lattice_files.h"
@@ -28,46 +29,6 @@ namespace {
 
 model::DatasetKind kindOf(const io::StoredImage& header) {
     return header.size[3] == 1 ? model::DatasetKind::kScalarVolume : model::DatasetKind::kShImage;
-}
-
-model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    info.fibres = set.fibres();
-    info.points = set.points;
-    for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
-    for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
-    for (const model::PointColumn& column : set.point_columns) {
-        if (column.component == 0) info.vertex_columns.push_back(column.name);
-    }
-    info.error_mean_um = set.errors.mean_um;
-    info.error_max_um = set.errors.max_um;
-    glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
-    for (const shader::FibletPage& page : set.pages) {
-        low = glm::min(low, page.low);
-        high = glm::max(high, page.high);
-    }
-    if (set.pages.empty()) low = high = glm::vec3(0);
-    info.bounds_min = set.origin_mm + glm::dvec3(low);
-    info.bounds_max = set.origin_mm + glm::dvec3(high);
-    return info;
-}
-
-/// What the header alone says, which may be wrong about counts.
-model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    try {
-        if (io::isFibletName(path)) return fibletInfo(id, io::readFibletHeader(path));
-        const auto source = io::openTractogram(path);
-        info.fibres = source->header().fibre_count.value_or(0);
-        info.points = source->header().point_count.value_or(0);
-    } catch (const Error&) {
-        // The list goes on; whoever asks for this dataset gets the reader's sentence.
-    }
-    return info;
 }
 
 }  // namespace
@@ -83,9 +44,14 @@ struct Store::Impl {
         std::shared_ptr<const model::FibletSet> fiblets;
         std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
         std::shared_ptr<const model::EnvironmentMap> environment;
+        std::shared_ptr<const model::TriangleMesh> mesh;
 
         std::string_view kind() const {
-            return dataset ? "an SH image" : scalars ? "a scalar volume" : environment ? "an environment map" : "a tractogram";
+            return dataset       ? "an SH image"
+                   : scalars     ? "a scalar volume"
+                   : environment ? "an environment map"
+                   : mesh        ? "a mesh"
+                                 : "a tractogram";
         }
     };
     gpu::Device& device;
@@ -113,10 +79,14 @@ struct Store::Impl {
 
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
-        if (slot.dataset || slot.scalars || slot.fiblets || slot.environment) return;
+        if (slot.dataset || slot.scalars || slot.fiblets || slot.environment || slot.mesh) return;
         if (isEnvironmentName(slot.path)) {
             slot.environment = loadEnvironment(slot.path);
             if (log) log(slot.environment->source + ": an environment map");
+            return;
+        }
+        if (io::isMeshName(slot.path)) {
+            slot.mesh = std::make_shared<const model::TriangleMesh>(io::readMesh(slot.path));
             return;
         }
         if (isTractName(slot.path)) {
@@ -157,10 +127,10 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         std::sort(files.begin(), files.end());
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
-            throw Error(Code::kUnsupported,
-                        "data: '" + folder_or_file.string() +
-                            "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
-                            "environment map (.hdr) and no tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
+            throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
+                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
+                                                "environment map (.hdr), no tractogram (.tck, .trk, .trx, .tt, .vtk, .vtp, "
+                                                ".gz of them, .fiblet) and no mesh (.obj, .stl)");
         }
         files.push_back(folder_or_file);
     } else {
@@ -220,6 +190,24 @@ std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::strin
     return slot->environment;
 }
 
+void Store::add(const std::string& id, model::TriangleMesh mesh) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->mesh = std::make_shared<const model::TriangleMesh>(std::move(mesh));
+    impl_->insert(id, std::move(slot));
+}
+
+std::shared_ptr<const model::TriangleMesh> Store::mesh(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->mesh) {
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; a region by mesh needs a mesh");
+    }
+    return slot->mesh;
+}
+
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
@@ -258,10 +246,12 @@ std::shared_ptr<FibreSelector> Store::selector(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     if (!slot->selector) {
-        slot->selector = std::make_shared<FibreSelector>(std::move(set), [this](const std::string& mask) {
+        const auto masks = [this](const std::string& mask) {
             const std::shared_ptr<const ScalarDataset> volume = scalars(mask);
             return std::shared_ptr<const model::ScalarImage>(volume, &volume->image());
-        });
+        };
+        slot->selector = std::make_shared<FibreSelector>(std::move(set), masks, std::uint64_t{1} << 28,
+                                                         [this](const std::string& surface) { return mesh(surface); });
     }
     return slot->selector;
 }
@@ -302,6 +292,7 @@ model::DatasetInfo Store::info(const std::string& id) {
     impl_->load(id, *slot);
     if (slot->fiblets) return fibletInfo(id, *slot->fiblets);
     if (slot->environment) return environmentInfo(id, *slot->environment);
+    if (slot->mesh) return meshInfo(id, *slot->mesh);
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
 }
 
@@ -332,6 +323,10 @@ std::vector<model::DatasetInfo> Store::list() {
             info = environmentInfo(id, *slot->environment);
         } else if (isEnvironmentName(slot->path)) {
             info = environmentHeaderInfo(id, slot->path);
+        } else if (lock && slot->mesh) {
+            info = meshInfo(id, *slot->mesh);
+        } else if (io::isMeshName(slot->path)) {
+            info.kind = model::DatasetKind::kMesh;
         } else if (isTractName(slot->path)) {
             info = tractHeaderInfo(id, slot->path);
         } else if (!slot->path.empty()) {

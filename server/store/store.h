@@ -19,6 +19,7 @@
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
 #include "model/tractogram.h"
+#include "model/triangle_mesh.h"
 
 namespace radiata {
 class FibreSelector;
@@ -63,6 +64,7 @@ public:
     void add(const std::string& id, model::ScalarImage image);
     void add(const std::string& id, model::FibletSet fiblets);
     void add(const std::string& id, model::EnvironmentMap map);
+    void add(const std::string& id, model::TriangleMesh mesh);
 
     /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
     /// one whose header cannot be read has size 0.
@@ -82,6 +84,8 @@ public:
     std::unique_ptr<model::TractogramSource> tracts(const std::string& id);
     /// A picture of the sky, with its harmonics. \throws as fiblets()
     std::shared_ptr<const model::EnvironmentMap> environment(const std::string& id);
+    /// A surface of triangles. \throws as fiblets()
+    std::shared_ptr<const model::TriangleMesh> mesh(const std::string& id);
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
 

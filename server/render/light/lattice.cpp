@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "math/low_discrepancy.h"
+#include "render/light/transport_params.h"
 
 namespace radiata::render {
 namespace {
@@ -67,19 +68,10 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
                                             " texels; 2^32 is the limit: choose a lower resolution");
     }
     shader::LatticeParams& lattice = shared();
-    lattice = {};
-    const shader::VolumeParams& grid = volume_->params();
-    lattice.volume = grid;
-    const glm::dmat3 to_grid(glm::dvec3(grid.grid_x), glm::dvec3(grid.grid_y), glm::dvec3(grid.grid_z));
-    const glm::dmat3 to_mm = glm::inverse(to_grid);
-    lattice.mm_x = glm::vec3(to_mm[0]);
-    lattice.mm_y = glm::vec3(to_mm[1]);
-    lattice.mm_z = glm::vec3(to_mm[2]);
-    lattice.value_step = 1e-5F * (volume_->valueMax() - volume_->valueMin());
+    lattice = transportParams(*volume_, light);
     lattice.size = size_;
     lattice.brick_size = bricks_;
     lattice.voxels_per_texel = static_cast<float>(voxelsPerTexel(light.resolution));
-    lattice.bounces = static_cast<std::uint32_t>(light.bounces);
     lattice.stride = static_cast<std::uint32_t>(light.payloadCount());
     for (std::size_t k = 0; k < light.orders.size(); ++k)
         lattice.orders |= static_cast<std::uint32_t>(light.orders[k]) << (4 * k);
