@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "render/frame/target.h"
-#include "shaders/shared/fiblet_coverage.glsl"
 
 namespace radiata::render {
 namespace {

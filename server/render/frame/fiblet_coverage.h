@@ -10,6 +10,7 @@
 #include "plan/plan_fiblets.h"
 #include "render/frame/fiblet_buffers.h"
 #include "render/frame/pass_run.h"
+#include "shaders/shared/fiblet_coverage.glsl"
 
 namespace radiata::render {
 
