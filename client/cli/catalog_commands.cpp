@@ -106,12 +106,11 @@ std::string describeTracts(const v1::Dataset& entry) {
 }
 
 std::string describeMesh(const v1::Dataset& entry) {
-    return formatTable({"dataset", entry.id()},
-                       {{"kind", "mesh"},
-                        {"points", std::to_string(entry.points())},
-                        {"triangles", std::to_string(entry.triangles())},
-                        {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
-                        {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
+    return formatTable({"dataset", entry.id()}, {{"kind", "mesh"},
+                                                 {"points", std::to_string(entry.points())},
+                                                 {"triangles", std::to_string(entry.triangles())},
+                                                 {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
+                                                 {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
 }
 
 std::string describe(const v1::Dataset& entry) {

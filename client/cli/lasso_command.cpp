@@ -22,7 +22,8 @@ struct Options {
 };
 
 void lasso(const ConnectionOptions& connection_options, const Options& options) {
-    if (options.outline.size() % 2 != 0) throw ClientError(ExitCode::kUsage, "--outline needs a row for each column: X,Y,X,Y,...");
+    if (options.outline.size() % 2 != 0)
+        throw ClientError(ExitCode::kUsage, "--outline needs a row for each column: X,Y,X,Y,...");
     v1::PickFibresRequest request;
     *request.mutable_request() = makeRequest(options.request);
     for (std::size_t i = 0; i < options.outline.size(); i += 2) {
@@ -54,8 +55,9 @@ void addLassoCommand(CLI::App& app, const ConnectionOptions& connection) {
     CLI::App* command = app.add_subcommand("lasso", "Count or name the fibres in an outline, a box or a pixel of the picture");
     addRequestOptions(*command, options->request, true);
     command
-        ->add_option("--outline", options->outline,
-                     "Pixels from the upper left corner: an outline of three points or more, two corners of a box, or one pixel")
+        ->add_option(
+            "--outline", options->outline,
+            "Pixels from the upper left corner: an outline of three points or more, two corners of a box, or one pixel")
         ->delimiter(',')
         ->take_all()
         ->type_name("X,Y,...")

@@ -57,7 +57,8 @@ void setPointColumn(v1::FibrePointColour& colour, const FibreOptions& options) {
 
 /// COLUMN,LOW,HIGH; the name may hold commas itself.
 void addCriterion(v1::TractogramLayer& layer, const std::string& text) {
-    const std::size_t second = text.rfind(','), first = second == 0 || second == text.npos ? text.npos : text.rfind(',', second - 1);
+    const std::size_t second = text.rfind(','),
+                      first = second == 0 || second == text.npos ? text.npos : text.rfind(',', second - 1);
     v1::FibreCriterion& criterion = *layer.add_criteria();
     float bounds[2] = {0, 0};
     bool good = first != text.npos && first > 0;
@@ -67,8 +68,7 @@ void addCriterion(v1::TractogramLayer& layer, const std::string& text) {
         good = failure == std::errc() && end == word.data() + word.size();
     }
     if (!good) {
-        throw ClientError(ExitCode::kUsage,
-                          "--criterion is '" + text + "'; it must be COLUMN,LOW,HIGH, such as fa,0.3,inf");
+        throw ClientError(ExitCode::kUsage, "--criterion is '" + text + "'; it must be COLUMN,LOW,HIGH, such as fa,0.3,inf");
     }
     criterion.set_column(text.substr(0, first));
     criterion.set_low(bounds[0]);
@@ -87,7 +87,8 @@ void setColour(v1::FibreColour& colour, const FibreOptions& options) {
                                                    : "--fibre-column goes with --fibre-colour column or point only");
     }
     if (!mapped && !(options.map.empty() && options.range.empty())) {
-        throw ClientError(ExitCode::kUsage, "--fibre-map and --fibre-range go with --fibre-colour column, point, length or distance only");
+        throw ClientError(ExitCode::kUsage,
+                          "--fibre-map and --fibre-range go with --fibre-colour column, point, length or distance only");
     }
     const bool uniform = options.colour == "uniform" || (options.colour.empty() && !options.uniform.empty());
     if (!uniform && !options.uniform.empty()) {
@@ -159,10 +160,12 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--tracts", options.dataset, "Catalogue id of a tractogram to show, alone or with --dataset");
     app.add_option("--fibre-colour", options.colour, "What colours fibres (default direction)")
         ->check(CLI::IsMember({"direction", "uniform", "fibre", "group", "column", "point", "length", "distance", "ends"}));
-    app.add_option("--fibre-column", options.column, "Column of --fibre-colour column, or of --fibre-colour point (NAME or NAME:COMPONENT)");
+    app.add_option("--fibre-column", options.column,
+                   "Column of --fibre-colour column, or of --fibre-colour point (NAME or NAME:COMPONENT)");
     app.add_option("--fibre-near", options.near, "Region of --fibre-colour distance, such as \"sphere(-20, 4, 12, 8)\"")
         ->type_name("REGION");
-    app.add_option("--fibre-map", options.map, "Colour map of --fibre-colour column, point, length and distance (default viridis)")
+    app.add_option("--fibre-map", options.map,
+                   "Colour map of --fibre-colour column, point, length and distance (default viridis)")
         ->check(CLI::IsMember({"viridis", "inferno", "cividis", "black-red-yellow", "grey"}));
     app.add_option("--fibre-range", options.range, "Ends of that map: values, or lengths in mm (default: those of all fibres)")
         ->delimiter(',')
@@ -197,7 +200,8 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
         ->delimiter(',')
         ->type_name("NAME,...");
     app.add_option("--select-fibre", options.select_fibres, "Let these fibres stand out")->delimiter(',')->type_name("N,...");
-    app.add_option("--show", options.show, "Show the fibres of a selection (docs/formats/selection.md)")->type_name("SELECTION");
+    app.add_option("--show", options.show, "Show the fibres of a selection (docs/formats/selection.md)")
+        ->type_name("SELECTION");
     app.add_option("--select", options.select, "Let the fibres of a selection stand out")->type_name("SELECTION");
     app.add_option("--cut-inside", options.inside,
                    "Show only what lies in this region, such as \"mesh(thalamus)\"; may be repeated")
@@ -206,13 +210,15 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--cut-outside", options.outside, "Show only what lies outside of this region; may be repeated")
         ->take_all()
         ->type_name("REGION");
-    app.add_option("--criterion", options.criteria,
-                   "Show only what has values of a column within bounds: fibres, or segments for columns per point; may be repeated")
+    app.add_option(
+           "--criterion", options.criteria,
+           "Show only what has values of a column within bounds: fibres, or segments for columns per point; may be repeated")
         ->take_all()
         ->type_name("COLUMN,LOW,HIGH");
     app.add_option("--fibre-opacity", options.opacity,
                    "Opacity of the fibres, above 0, up to 1: what is behind shines through, in the right order (default 1)");
-    app.add_flag("--exact-width", options.exact_width, "Lines have their width across, so that many samples show their true coverage");
+    app.add_flag("--exact-width", options.exact_width,
+                 "Lines have their width across, so that many samples show their true coverage");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
         ->check(CLI::IsMember({"atomic"}));

@@ -65,9 +65,11 @@ void transformAxis(std::vector<double>& squares, const glm::ivec3& size, int axi
                 glm::ivec3 at(0);
                 at[u] = i;
                 at[v] = j;
-                for (at[axis] = 0; at[axis] < size[axis]; ++at[axis]) line[static_cast<std::size_t>(at[axis])] = squares[indexOf(at, size)];
+                for (at[axis] = 0; at[axis] < size[axis]; ++at[axis])
+                    line[static_cast<std::size_t>(at[axis])] = squares[indexOf(at, size)];
                 transformLine(line, out, places, bounds);
-                for (at[axis] = 0; at[axis] < size[axis]; ++at[axis]) squares[indexOf(at, size)] = line[static_cast<std::size_t>(at[axis])];
+                for (at[axis] = 0; at[axis] < size[axis]; ++at[axis])
+                    squares[indexOf(at, size)] = line[static_cast<std::size_t>(at[axis])];
             }
         }
     });
@@ -87,15 +89,17 @@ DistanceGrid measured(const RegionVolume& region, const glm::dvec3& low, const g
                 for (int x = 0; x < grid.size.x; ++x) {
                     const glm::dvec3 node = grid.origin_mm + grid.step_mm * glm::dvec3(x, y, z);
                     const double half = 0.5 * grid.step_mm;
-                    if (region.relate(node - half, node + half) != BoxRelation::kOutside) squares[indexOf({x, y, z}, grid.size)] = 0;
+                    if (region.relate(node - half, node + half) != BoxRelation::kOutside)
+                        squares[indexOf({x, y, z}, grid.size)] = 0;
                 }
             }
         }
     });
     for (int axis = 0; axis < 3; ++axis) transformAxis(squares, grid.size, axis);
     grid.mm.resize(squares.size());
-    std::ranges::transform(squares, grid.mm.begin(),
-                           [&](double square) { return static_cast<float>(square < kFar / 2 ? std::sqrt(square) * grid.step_mm : kFar); });
+    std::ranges::transform(squares, grid.mm.begin(), [&](double square) {
+        return static_cast<float>(square < kFar / 2 ? std::sqrt(square) * grid.step_mm : kFar);
+    });
     return grid;
 }
 

@@ -39,8 +39,8 @@ bool leftOf(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
     return a.z != b.z ? a.z < b.z : a.y < b.y;
 }
 
-/// Whether the ray from p along +x crosses the triangle. Of triangles that share an edge or a corner in the y-z plane one has it, so a
-/// closed surface is crossed an even number of times by a whole line.
+/// Whether the ray from p along +x crosses the triangle. Of triangles that share an edge or a corner in the y-z plane one has
+/// it, so a closed surface is crossed an even number of times by a whole line.
 bool crosses(const glm::dvec3& p, const Triangle& t) {
     const bool s0 = leftOf(p, t[0], t[1]), s1 = leftOf(p, t[1], t[2]), s2 = leftOf(p, t[2], t[0]);
     if (s0 != s1 || s1 != s2) return false;
@@ -83,7 +83,10 @@ public:
 
     bool contains(const glm::dvec3& p) const override {
         bool inside = false;
-        any([&](const Box& box) { return box.touches(p, {1e300, p.y, p.z}); },
+        any(
+            [&](const Box& box) {
+                return box.touches(p, {1e300, p.y, p.z});
+            },
             [&](const Triangle& t) {
                 if (crosses(p, t)) inside = !inside;
                 return false;
@@ -183,7 +186,8 @@ std::size_t openEdges(const model::TriangleMesh& mesh) {
 }  // namespace
 
 std::unique_ptr<RegionVolume> meshVolume(const model::TriangleMesh& mesh) {
-    if (mesh.triangles.empty()) throw Error(Code::kInvalidArgument, mesh.source + " has no triangles, so nothing is inside of it");
+    if (mesh.triangles.empty())
+        throw Error(Code::kInvalidArgument, mesh.source + " has no triangles, so nothing is inside of it");
     if (const std::size_t open = openEdges(mesh); open > 0) {
         throw Error(Code::kInvalidArgument, mesh.source + " is open: " + std::to_string(open) +
                                                 " edges belong to an odd number of triangles; regions need closed surfaces");

@@ -9,7 +9,8 @@
 namespace radiata {
 
 /// Inside is where a ray to infinity crosses the surface an odd number of times.
-/// \throws Error(kInvalidArgument) for a mesh without triangles or with an edge that an odd number of triangles have: it is open
+/// \throws Error(kInvalidArgument) for a mesh without triangles or with an edge that an odd number of triangles have: it is
+/// open
 std::unique_ptr<RegionVolume> meshVolume(const model::TriangleMesh& mesh);
 
 }  // namespace radiata

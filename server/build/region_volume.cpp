@@ -126,7 +126,8 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks, const MeshLookup& meshes) {
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks,
+                                           const MeshLookup& meshes) {
     switch (region.shape) {
         case model::RegionShape::kBox:
             return std::make_unique<Box>(region);

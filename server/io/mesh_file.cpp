@@ -97,7 +97,8 @@ public:
         std::uint32_t count = 0;
         if (text_.size() >= kStlHeader) std::memcpy(&count, text_.data() + 80, 4);
         // Binary files may begin with "solid" as well; their size tells.
-        if (text_.size() >= kStlHeader && kStlHeader + std::uint64_t{count} * kStlTriangle == text_.size()) return readBinary(count);
+        if (text_.size() >= kStlHeader && kStlHeader + std::uint64_t{count} * kStlTriangle == text_.size())
+            return readBinary(count);
         if (!text_.starts_with("solid")) {
             throw Error(Code::kCorrupt, mesh_.source + ": is no .stl file: it has " + std::to_string(text_.size()) +
                                             " bytes, does not begin with 'solid', and a binary file of the " +
@@ -179,7 +180,8 @@ private:
         return place->second;
     }
 
-    /// Triangles without area, two of whose corners are one, are left out: with the edges of their neighbours they close the surface.
+    /// Triangles without area, two of whose corners are one, are left out: with the edges of their neighbours they close the
+    /// surface.
     model::TriangleMesh finished() {
         std::erase_if(mesh_.triangles, [](const glm::uvec3& t) { return t.x == t.y || t.y == t.z || t.z == t.x; });
         if (mesh_.triangles.empty()) throw Error(Code::kCorrupt, mesh_.source + ": has no triangles");

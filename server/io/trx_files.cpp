@@ -85,8 +85,8 @@ private:
 /// Deflate never shrinks by more than 1032 to 1, so what claims more is a trap; said before anybody reads it.
 void checkSize(const std::filesystem::path& path, const std::string& name, std::uint64_t bytes, std::uint64_t stored) {
     if (bytes / kDeflateMost <= stored + 64) return;
-    throw Error(Code::kCorrupt, path.filename().string() + "/" + name + ": " + std::to_string(stored) + " bytes of the zip file cannot hold " +
-                                    std::to_string(bytes));
+    throw Error(Code::kCorrupt, path.filename().string() + "/" + name + ": " + std::to_string(stored) +
+                                    " bytes of the zip file cannot hold " + std::to_string(bytes));
 }
 
 std::map<std::string, TrxFiles::Entry> entriesOfZip(const std::filesystem::path& path) {

@@ -12,8 +12,8 @@
 
 namespace radiata::model {
 
-/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms and meshes counts and bounds; the
-/// rest is about glyphs.
+/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms and meshes counts and
+/// bounds; the rest is about glyphs.
 enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kMesh };
 
 struct FibreGroupSize {

@@ -125,7 +125,8 @@ void checkFilters(const TractogramLayer& tracts, const std::string& where) {
     checkText(tracts.shown.selection, "selection", where + ".shown.selection");
     if (tracts.selected) checkText(tracts.selected->selection, "selection", where + ".selected.selection");
     if (tracts.colour.mode == FibreColourMode::kDistance) {
-        if (tracts.colour.region.empty()) refuse(where + ".colour.distance.region is empty; it is one region, such as sphere(0, 0, 0, 5)");
+        if (tracts.colour.region.empty())
+            refuse(where + ".colour.distance.region is empty; it is one region, such as sphere(0, 0, 0, 5)");
         checkText(tracts.colour.region, "region", where + ".colour.distance.region");
     }
 }

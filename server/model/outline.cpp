@@ -29,7 +29,8 @@ OutlinePixels pixelsIn(std::span<const glm::dvec2> outline, const glm::ivec2& pi
     }
     glm::dvec2 low = outline[0], high = outline[0];
     for (const glm::dvec2& p : outline) {
-        if (!std::isfinite(p.x) || !std::isfinite(p.y)) throw Error(Code::kInvalidArgument, "outline has a point that is not finite");
+        if (!std::isfinite(p.x) || !std::isfinite(p.y))
+            throw Error(Code::kInvalidArgument, "outline has a point that is not finite");
         low = glm::min(low, p);
         high = glm::max(high, p);
     }
@@ -46,7 +47,8 @@ OutlinePixels pixelsIn(std::span<const glm::dvec2> outline, const glm::ivec2& pi
     pixels.first = glm::ivec2(first);
     pixels.size = glm::ivec2(end - first);
     for (int y = 0; y < pixels.size.y; ++y) {
-        for (int x = 0; x < pixels.size.x; ++x) pixels.inside.push_back(isInside(outline, first + glm::dvec2(x + 0.5, y + 0.5)));
+        for (int x = 0; x < pixels.size.x; ++x)
+            pixels.inside.push_back(isInside(outline, first + glm::dvec2(x + 0.5, y + 0.5)));
     }
     return pixels;
 }

@@ -16,7 +16,8 @@ struct OutlinePixels {
     std::vector<bool> inside;      ///< size.x * size.y, row by row
 };
 
-/// \param outline  pixels right and down, pixel i from i to i + 1; closed, inside where it winds an odd number of times around; of two
+/// \param outline  pixels right and down, pixel i from i to i + 1; closed, inside where it winds an odd number of times around;
+/// of two
 ///                 points the box between them, of one the pixel it lies in \param picture  columns and rows
 /// \throws Error(kInvalidArgument) for no points, too many, and such that are not finite
 OutlinePixels pixelsIn(std::span<const glm::dvec2> outline, const glm::ivec2& picture);

@@ -60,8 +60,9 @@ void planPeels(FramePlan& plan) {
         if (!layers[i].ifTracts() || layers[i].opacity >= 1) continue;
         const std::string where = "scene.layers[" + std::to_string(i) + "].opacity is below 1; ";
         if (veil || plan.usesPeels()) {
-            throw Error(Code::kUnsupported, where + "one layer of fibres of a scene can be transparent, and none beside a "
-                                                    "transparent isosurface");
+            throw Error(Code::kUnsupported, where +
+                                                "one layer of fibres of a scene can be transparent, and none beside a "
+                                                "transparent isosurface");
         }
         if (plan.resolved.quality.frozen_culling) {
             throw Error(Code::kUnsupported, where + "quality.frozen_culling shows what opaque fibres hide, so draw without it");

@@ -1,6 +1,6 @@
-// How often a surface of triangles winds around a point: the sum of the solid angles of all triangles over 4 pi. The oracle of regions by
-// meshes, which count crossings of a ray (server/build/region_mesh.h).
-// Source: Van Oosterom and Strackee 1983, Eq. 8.
+// How often a surface of triangles winds around a point: the sum of the solid angles of all triangles over 4 pi. The oracle of
+// regions by meshes, which count crossings of a ray (server/build/region_mesh.h). Source: Van Oosterom and Strackee 1983,
+// Eq. 8.
 #pragma once
 
 #include <glm/glm.hpp>

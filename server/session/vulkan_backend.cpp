@@ -64,9 +64,8 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     backend.pick = [&renderer](const model::FrameRequest& request, int x, int y, int radius_px) {
         return renderer.pick(request, x, y, radius_px);
     };
-    backend.pick_fibres = [&renderer](const model::FrameRequest& request, const std::vector<glm::dvec2>& outline, bool through) {
-        return renderer.pickFibres(request, outline, through);
-    };
+    backend.pick_fibres = [&renderer](const model::FrameRequest& request, const std::vector<glm::dvec2>& outline,
+                                      bool through) { return renderer.pickFibres(request, outline, through); };
     backend.list = [&store] { return store.list(); };
     backend.info = [&store](const std::string& id) { return store.info(id); };
     backend.select = [&store](const std::string& id, const std::string& selection) { return select(store, id, selection); };

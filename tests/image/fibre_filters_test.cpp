@@ -109,7 +109,8 @@ TEST_F(FibreFilters, KeepWhatMeetsCriteria) {
               200);
     layer().criteria = {{"x", 0, INFINITY}};
     // Bytes stand for steps of 80 / 254 mm.
-    EXPECT_GT(forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_GT(s.from.x + s.to.x, -0.4); }), 300);
+    EXPECT_GT(forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_GT(s.from.x + s.to.x, -0.4); }),
+              300);
     layer().criteria = {{"y", 0, 1}};
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
     layer().criteria = {{"x", 1, 0}};
@@ -180,8 +181,8 @@ TEST_F(FibreFilters, AreColouredByPointsEndsAndDistance) {
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
 }
 
-/// The mean of 64 samples of lines at all slants is the area that a strip of their width covers of each pixel, to 1/10 of a pixel, 1/40
-/// on average; as they are drawn otherwise, oblique ones are thinner.
+/// The mean of 64 samples of lines at all slants is the area that a strip of their width covers of each pixel, to 1/10 of a
+/// pixel, 1/40 on average; as they are drawn otherwise, oblique ones are thinner.
 TEST_F(FibreFilters, CoverWhatTheirWidthSays) {
     Fibres fibres;
     for (int i = 0; i < 8; ++i) {
@@ -217,7 +218,8 @@ TEST_F(FibreFilters, CoverWhatTheirWidthSays) {
                 bool in = false;
                 for (int i = 0; i < 8; ++i) {
                     const double angle = M_PI * (i + 0.3) / 8;
-                    const glm::dvec2 along(std::cos(angle), std::sin(angle)), d = p - glm::dvec2(12 * (i % 4) - 18, 12 * (i / 4) - 6);
+                    const glm::dvec2 along(std::cos(angle), std::sin(angle)),
+                        d = p - glm::dvec2(12 * (i % 4) - 18, 12 * (i / 4) - 6);
                     // Ends are cut along a row or column, not across.
                     least = std::min(least, std::abs(std::abs(glm::dot(d, along)) - 3));
                     in = in || (std::abs(glm::dot(d, along)) < 3 && std::abs(d.x * along.y - d.y * along.x) < 1.5 * pixel_mm);
@@ -225,7 +227,8 @@ TEST_F(FibreFilters, CoverWhatTheirWidthSays) {
                 covered += in / 256.0;
             }
             if (least < 3 * pixel_mm) continue;
-            const double shown = reference::linearFromSrgb(frame.pixels.rgba[4 * static_cast<std::size_t>(y * 200 + x)] / 255.0);
+            const double shown =
+                reference::linearFromSrgb(frame.pixels.rgba[4 * static_cast<std::size_t>(y * 200 + x)] / 255.0);
             if (covered == 0 && shown == 0) continue;
             worst = std::max(worst, std::abs(shown - covered));
             sum += std::abs(shown - covered);

@@ -85,7 +85,8 @@ void checkCriteria(const model::FibletSet& set, const model::TractogramLayer& la
 
 }  // namespace
 
-std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer, FibreSelector& selector) {
+std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer,
+                                      FibreSelector& selector) {
     std::vector<std::uint8_t> states(set.fibres(), shader::FIBRE_SHOWN);
     checkCriteria(set, layer);
     std::vector<bool> shown = passing(set, layer.shown, selector);

@@ -1,5 +1,5 @@
-// Which fibres of a layer are shown and stand out, and which of their segments are shown, on the device for as long as the layer's
-// settings stay.
+// Which fibres of a layer are shown and stand out, and which of their segments are shown, on the device for as long as the
+// layer's settings stay.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,8 @@ namespace radiata::render {
 /// FIBRE_SHOWN, FIBRE_HIDDEN or FIBRE_SELECTED for each fibre.
 /// \throws Error(kInvalidArgument) for groups, fibres and columns that the tractogram lacks, naming those it has; Error as
 ///         FibreSelector::select()
-std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer, FibreSelector& selector);
+std::vector<std::uint8_t> fibreStates(const model::FibletSet& set, const model::TractogramLayer& layer,
+                                      FibreSelector& selector);
 
 /// Segments within the layer's region cuts and criteria on values per point; empty without any: all are shown.
 /// \throws as fibreStates(), and as FibreSelector::region()

@@ -75,7 +75,8 @@ std::vector<std::uint32_t> fibreEnds(const model::FibletSet& set) {
 
 template <typename Value>
 void FibreColours::upload(gpu::Device& device, const std::vector<Value>& values) {
-    values_ = gpu::Buffer(device, std::max<std::size_t>(std::span(values).size_bytes(), 4), gpu::Memory::kDevice, "fibre values");
+    values_ =
+        gpu::Buffer(device, std::max<std::size_t>(std::span(values).size_bytes(), 4), gpu::Memory::kDevice, "fibre values");
     if (!values.empty()) gpu::upload(device, values_, 0, std::as_bytes(std::span(values)));
 }
 
@@ -94,7 +95,8 @@ void FibreColours::setPoints(gpu::Device& device, const model::FibletSet& set, c
     if (!column->ranges.empty()) gpu::upload(device, ranges_, 0, std::as_bytes(std::span(column->ranges)));
     float low = std::numeric_limits<float>::infinity(), high = -low;
     for (std::size_t f = 0; f < column->ranges.size(); ++f) {
-        if (!std::any_of(&column->values[64 * f], &column->values[64 * f] + 64, [](std::uint8_t v) { return v < 255; })) continue;
+        if (!std::any_of(&column->values[64 * f], &column->values[64 * f] + 64, [](std::uint8_t v) { return v < 255; }))
+            continue;
         low = std::min(low, column->ranges[f].x);
         high = std::max(high, column->ranges[f].y);
     }

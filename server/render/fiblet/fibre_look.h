@@ -17,14 +17,16 @@ namespace radiata::render {
 /// where nothing of the kind does. \throws Error(kInvalidArgument) for a column that the tractogram lacks
 std::vector<float> fibreValues(const model::FibletSet& set, const model::FibreColour& colour);
 
-/// From each fibre's first to its last point as two times 16 bits (shaders/common/octahedral.glsl); 0 for a fibre without length.
+/// From each fibre's first to its last point as two times 16 bits (shaders/common/octahedral.glsl); 0 for a fibre without
+/// length.
 std::vector<std::uint32_t> fibreEnds(const model::FibletSet& set);
 
 /// On the device, for as long as the layer's colour stays.
 class FibreColours {
 public:
     /// \throws as fibreValues(); as FibreSelector::region() and distanceGrid() for colours by distance
-    FibreColours(gpu::Device& device, const model::FibletSet& set, const model::FibreColour& colour, const FibreSelector& selector);
+    FibreColours(gpu::Device& device, const model::FibletSet& set, const model::FibreColour& colour,
+                 const FibreSelector& selector);
 
     std::uint64_t valueAddress() const { return values_ ? values_.address() : 0; }
     std::uint64_t rangeAddress() const { return ranges_ ? ranges_.address() : 0; }  ///< of values per point

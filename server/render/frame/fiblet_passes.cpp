@@ -119,11 +119,10 @@ private:
 
     void toPeelSurface() {
         const auto resolve = [&] {
-            run_.recorder.dispatch(
-                run_.pipelines.get("fiblet_surface", {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
-                                                      plan_.selected_only ? 1U : 0U, 0U}),
-                "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
-                SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
+            run_.recorder.dispatch(run_.pipelines.get("fiblet_surface", {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
+                                                                         plan_.selected_only ? 1U : 0U, 0U}),
+                                   "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                                   SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
             submit(0);
         };
         resolve();
@@ -176,8 +175,7 @@ private:
     /// \param first  nothing that was drawn before is looked at
     void begin(bool first) {
         run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U, counting_ ? 1U : 0U}),
-                               "fiblet begin" + suffix_,
-                               PassRun::groups(run_.pixels()), 1, 1,
+                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
                                LayerPush{own_.layerAddress(), run_.target.surface.address()});
     }
 
@@ -192,11 +190,10 @@ private:
     }
 
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
-                                                 plan_.lines ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
-                                                 plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U,
-                                                 peeling_ ? 1U : 0U, counting_ ? 1U : 0U, finding_ ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines ? 1U : 0U,
+                              plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U, plan_.segments ? 1U : 0U,
+                              plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U, finding_ ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -209,11 +206,12 @@ private:
     }
 
     void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        // A line of w pixels reaches (w - 1) / 2 beside its middle; one of w across w / 2 times the root of 2, less half a pixel.
+        // A line of w pixels reaches (w - 1) / 2 beside its middle; one of w across w / 2 times the root of 2, less half a
+        // pixel.
         const auto width = static_cast<float>(plan_.line_width_px);
         const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
         for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
             const std::uint32_t count = std::min(end - first, kPagesAtOnce);
             run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
@@ -312,8 +310,8 @@ private:
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
-    bool first_;  ///< nothing is in the surface buffer yet
-    bool finding_ = false;  ///< fibres in an outline are noted, nothing is drawn
+    bool first_;                               ///< nothing is in the surface buffer yet
+    bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
     bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
 };

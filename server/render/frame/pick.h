@@ -21,7 +21,8 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
                                        int radius_px);
 
-/// The fibres within the pixels of an outline, for each layer of fibres. \param list  of the whole picture, changed for the outline's window
+/// The fibres within the pixels of an outline, for each layer of fibres. \param list  of the whole picture, changed for the
+/// outline's window
 std::vector<model::PickedFibres> pickOutline(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list,
                                              const model::OutlinePixels& pixels, bool through);
 

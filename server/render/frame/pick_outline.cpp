@@ -28,7 +28,8 @@ std::vector<std::uint32_t> seen(const std::vector<shader::Surface>& surfaces, co
                                 std::size_t layer, const model::FibletSet& set) {
     std::vector<std::uint32_t> words((set.fibres() + 31) / 32, 0);
     for (std::size_t at = 0; at < surfaces.size(); ++at) {
-        if (!pixels.inside[at] || surfaces[at].who == shader::FIBLET_NOBODY || surfaces[at].layer_and_steps >> 24U != layer) continue;
+        if (!pixels.inside[at] || surfaces[at].who == shader::FIBLET_NOBODY || surfaces[at].layer_and_steps >> 24U != layer)
+            continue;
         const std::uint32_t fibre = set.heads[surfaces[at].who >> shader::FIBLET_SEGMENT_BITS].fibre;
         words[fibre / 32] |= 1U << (fibre % 32);
     }

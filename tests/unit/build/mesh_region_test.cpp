@@ -74,7 +74,8 @@ TEST(MeshRegion, AgreesWithABall) {
             const double polar = M_PI * r / rings, turn = 2 * M_PI * s / steps;
             const bool pole = r == 0 || r == rings;
             if (pole && s > 0) continue;
-            mesh.points.emplace_back(10 * std::sin(polar) * std::cos(turn), 10 * std::sin(polar) * std::sin(turn), 10 * std::cos(polar));
+            mesh.points.emplace_back(10 * std::sin(polar) * std::cos(turn), 10 * std::sin(polar) * std::sin(turn),
+                                     10 * std::cos(polar));
         }
     }
     const auto at = [&](int r, int s) {
@@ -116,7 +117,8 @@ TEST(MeshRegion, AgreesWithABall) {
 TEST(MeshRegion, AgreesWithTheWindingNumber) {
     model::TriangleMesh mesh;
     const int around = 30, tube = 14;
-    const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3)), v = glm::normalize(glm::cross(u, glm::dvec3(0, 0, 1))), w = glm::cross(u, v);
+    const glm::dvec3 u = glm::normalize(glm::dvec3(1, 2, 3)), v = glm::normalize(glm::cross(u, glm::dvec3(0, 0, 1))),
+                     w = glm::cross(u, v);
     for (int i = 0; i < around * tube; ++i) {
         const double a = 2 * M_PI * (i / tube) / around, b = 2 * M_PI * (i % tube) / tube, r = 8 + 3 * std::cos(b);
         mesh.points.emplace_back(r * std::cos(a) * u + r * std::sin(a) * v + 3 * std::sin(b) * w);
@@ -172,7 +174,8 @@ protected:
 };
 
 TEST_F(MeshFiles, AreReadInAllThreeForms) {
-    const std::string obj = "# box\nv 0 0 0\nv 1 0 0\nv 0 1 0\r\nv 0 0 1\nvn 0 0 1\nf 1/1/1 3//2 2\nf 1 2 4\nf -4 -1 -2\nf 2 3 4\n";
+    const std::string obj =
+        "# box\nv 0 0 0\nv 1 0 0\nv 0 1 0\r\nv 0 0 1\nvn 0 0 1\nf 1/1/1 3//2 2\nf 1 2 4\nf -4 -1 -2\nf 2 3 4\n";
     const model::TriangleMesh first = io::readMesh(write("a.obj", obj));
     EXPECT_EQ(first.points.size(), 4);
     ASSERT_EQ(first.triangles.size(), 4);
@@ -203,14 +206,16 @@ TEST_F(MeshFiles, AreReadInAllThreeForms) {
 /// Every cut of a file and every changed byte gives a mesh or an Error, never a crash.
 TEST_F(MeshFiles, SurviveDamage) {
     const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-    for (const char* bad : {"v 0 0\n", "v 0 0 x\n", "v 0 0 nan\n", "v 0 0 1e9\n", "f 1 2 3\n", "f 1 2 9\n", "f 1 2\n", "", "f 0 1 2\n"}) {
+    for (const char* bad :
+         {"v 0 0\n", "v 0 0 x\n", "v 0 0 nan\n", "v 0 0 1e9\n", "f 1 2 3\n", "f 1 2 9\n", "f 1 2\n", "", "f 0 1 2\n"}) {
         const bool empty = std::string(bad).empty(), late = std::string(bad).starts_with("f 1 2 9");
         EXPECT_THROW(io::readMesh(write("bad.obj", empty ? "" : late ? obj + bad : bad)), Error) << bad;
     }
     std::string binary(84 + 50, '\1');
     const std::uint32_t one = 1;
     std::memcpy(&binary[80], &one, 4);
-    for (std::size_t cut = 0; cut < binary.size(); cut += 7) EXPECT_THROW(io::readMesh(write("cut.stl", binary.substr(0, cut))), Error) << cut;
+    for (std::size_t cut = 0; cut < binary.size(); cut += 7)
+        EXPECT_THROW(io::readMesh(write("cut.stl", binary.substr(0, cut))), Error) << cut;
     std::mt19937 random(3);
     for (int i = 0; i < 300; ++i) {
         std::string damaged = obj;
