@@ -63,9 +63,10 @@ void list(const Connection& connection, const Options& options) {
     for (const v1::Dataset& entry : response.datasets()) {
         const bool tracts = entry.kind() == v1::DATASET_KIND_TRACTOGRAM;
         const bool mesh = entry.kind() == v1::DATASET_KIND_MESH;
-        const bool scalar = tracts || mesh || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
+        const bool map = entry.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP;
+        const bool scalar = tracts || mesh || map || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
-                        tracts || mesh ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
+                        tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
                         scalar ? "" : std::to_string(entry.glyph_count()), tracts ? std::to_string(entry.fibres()) : "",
                         scalar ? "" : residence(entry)});
     }
@@ -105,6 +106,14 @@ std::string describeTracts(const v1::Dataset& entry) {
          {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
 }
 
+std::string describeMap(const v1::Dataset& entry) {
+    return formatTable(
+        {"dataset", entry.id()},
+        {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
+         {"pixels", entry.size_size() < 2 ? "" : std::to_string(entry.size(0)) + "x" + std::to_string(entry.size(1))},
+         {"luminance", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)}});
+}
+
 std::string describeMesh(const v1::Dataset& entry) {
     return formatTable({"dataset", entry.id()}, {{"kind", "mesh"},
                                                  {"points", std::to_string(entry.points())},
@@ -116,6 +125,7 @@ std::string describeMesh(const v1::Dataset& entry) {
 std::string describe(const v1::Dataset& entry) {
     if (entry.kind() == v1::DATASET_KIND_MESH) return describeMesh(entry);
     if (entry.kind() == v1::DATASET_KIND_TRACTOGRAM) return describeTracts(entry);
+    if (entry.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP) return describeMap(entry);
     const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
     std::vector<Row> rows = {
         {"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},

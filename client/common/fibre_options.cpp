@@ -221,20 +221,26 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
                  "Lines have their width across, so that many samples show their true coverage");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
-        ->check(CLI::IsMember({"atomic"}));
+        ->check(CLI::IsMember({"atomic", "pull", "mesh", "mesh-serial", "geometry", "tessellation", "lines", "points"}));
     app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
-        ->check(CLI::IsMember({"two-phase", "frustum", "none"}));
+        ->check(CLI::IsMember({"two-phase", "frustum", "none", "coverage"}));
+    app.add_option("--fiblet-detail", options.detail_px,
+                   "Draw fibres with fewer lines that are off by so many pixels at most, 0.05 to 16");
     app.add_option("--freeze-culling", options.frozen,
                    "Draw only what is seen of the fibres from this camera: a JSON file or JSON text")
         ->type_name("FILE|JSON");
 }
 
 void setFibreQuality(v1::Quality& quality, const FibreOptions& options) {
-    if (options.pipeline == "atomic") quality.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    if (!options.pipeline.empty()) {
+        quality.set_fiblet_pipeline(enumWords<v1::FibletPipeline>(v1::FibletPipeline_descriptor()).at(options.pipeline));
+    }
     if (!options.frozen.empty()) *quality.mutable_frozen_culling() = cameraFromOption(options.frozen);
     if (options.culling == "two-phase") quality.set_fiblet_culling(v1::FIBLET_CULLING_TWO_PHASE);
     if (options.culling == "frustum") quality.set_fiblet_culling(v1::FIBLET_CULLING_FRUSTUM);
     if (options.culling == "none") quality.set_fiblet_culling(v1::FIBLET_CULLING_NONE);
+    if (options.culling == "coverage") quality.set_fiblet_culling(v1::FIBLET_CULLING_COVERAGE);
+    if (options.detail_px) quality.set_fiblet_detail_px(*options.detail_px);
 }
 
 }  // namespace radiata::client

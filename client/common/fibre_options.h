@@ -34,6 +34,7 @@ struct FibreOptions {
     std::vector<std::string> criteria;         ///< COLUMN,LOW,HIGH
     std::string pipeline, culling;
     std::optional<float> opacity;
+    std::optional<float> detail_px;
     std::string frozen;  ///< camera: file or JSON
 };
 

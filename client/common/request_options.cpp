@@ -166,9 +166,9 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     std::string only;
     int count = 0;
     for (const v1::Dataset& dataset : response.datasets()) {
-        // Volumes of numbers and meshes have no glyphs; tractograms are named by --tracts.
+        // Volumes of numbers colour glyphs and have none, maps are light, meshes cut; tractograms are named by --tracts.
         if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM ||
-            dataset.kind() == v1::DATASET_KIND_MESH) {
+            dataset.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP || dataset.kind() == v1::DATASET_KIND_MESH) {
             continue;
         }
         ids += (ids.empty() ? "" : ", ") + dataset.id();
@@ -277,6 +277,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     if (alone || !options.dataset.empty()) addGlyphs(scene, options);
     setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
+    setShading(scene, options.light);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);

@@ -13,8 +13,8 @@
 namespace radiata::model {
 
 /// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms and meshes counts and
-/// bounds; the rest is about glyphs.
-enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kMesh };
+/// bounds, environment maps their pixels as size and the range of their luminance; the rest is about glyphs.
+enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kEnvironmentMap, kMesh };
 
 struct FibreGroupSize {
     std::string name;

@@ -30,17 +30,19 @@ void checkSelection(const VoxelSelection& selection, const std::string& where) {
     }
 }
 
+void checkRange(const ColourRange& range, const std::string& where) {
+    const auto [low, high] = range;
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
+        refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
+               "; both must be finite and the second above the first");
+    }
+}
+
 void checkColour(const GlyphColour& colour, const std::string& where) {
     if (colour.mode == ColourMode::kScalar && colour.image_id.empty()) {
         refuse(where + ".scalar.image_id is empty; it names a scalar volume of the catalogue");
     }
-    if (colour.usesMap() && colour.range) {
-        const auto [low, high] = *colour.range;
-        if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
-            refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
-                   "; both must be finite and the second above the first");
-        }
-    }
+    if (colour.usesMap() && colour.range) checkRange(*colour.range, where);
     for (int c = 0; colour.mode == ColourMode::kUniform && c < 3; ++c) {
         if (!(colour.uniform[c] >= 0 && colour.uniform[c] <= 1)) refuse(where + ".uniform must be 0 to 1 in each channel");
     }
@@ -183,6 +185,14 @@ void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
         if (surface.colour[c] >= 0 && surface.colour[c] <= 1) continue;
         refuse(where + ".colour." + "xyz"[c] + " is " + std::to_string(surface.colour[c]) + "; it must be 0 to 1");
     }
+    if (surface.fog && !(*surface.fog > 0 && *surface.fog <= 1)) {
+        refuse(where + ".fog is " + std::to_string(*surface.fog) + "; it must be above 0 and at most 1");
+    }
+    if (!surface.colour_by) return;
+    if (surface.colour_by->image_id.empty()) {
+        refuse(where + ".colour_by.image_id is empty; it names a scalar volume of the catalogue");
+    }
+    if (surface.colour_by->range) checkRange(*surface.colour_by->range, where + ".colour_by");
 }
 
 void checkIsosurfaces(const IsosurfaceSettings& settings) {
@@ -312,6 +322,16 @@ void validate(const FrameRequest& request, const Limits& limits) {
         cameraFrame(*request.quality.frozen_culling);
         if (request.quality.fiblet_culling != FibletCulling::kTwoPhase) {
             refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that");
+        }
+        if (drawsUncompressed(request.quality.fiblet_pipeline)) {
+            refuse("quality.frozen_culling needs fiblets; quality.fiblet_pipeline is " +
+                   std::string(pipelineName(request.quality.fiblet_pipeline)) + ", which draws uncompressed points");
+        }
+    }
+    if (const std::optional<float> detail = request.quality.fiblet_detail_px) {
+        if (!(*detail >= kDetailMinPx && *detail <= kDetailMaxPx)) {
+            refuse("quality.fiblet_detail_px is " + std::to_string(*detail) + "; it must be " + std::to_string(kDetailMinPx) +
+                   " to " + std::to_string(kDetailMaxPx) + " pixels");
         }
     }
     checkTensorMarch(request.quality.tensor_march);

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -90,9 +91,19 @@ struct TractogramLayer {
 };
 
 /// How fiblets are drawn.
-enum class FibletPipeline { kAtomic };
+enum class FibletPipeline { kAuto, kAtomic, kPull, kMesh, kMeshSerial, kGeometry, kTessellation, kLines, kPoints };
+/// "atomic", "mesh-serial", ...; "auto"
+std::string_view pipelineName(FibletPipeline pipeline);
+/// Of uncompressed points, all of which are drawn.
+inline bool drawsUncompressed(FibletPipeline pipeline) {
+    return pipeline == FibletPipeline::kLines || pipeline == FibletPipeline::kPoints;
+}
+/// By the device's own rasteriser.
+inline bool drawsByRasteriser(FibletPipeline pipeline) {
+    return pipeline != FibletPipeline::kAuto && pipeline != FibletPipeline::kAtomic && pipeline != FibletPipeline::kPoints;
+}
 /// Which of them are.
-enum class FibletCulling { kTwoPhase, kFrustum, kNone };
+enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
 
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;
@@ -100,5 +111,6 @@ constexpr std::size_t kFibreFiltersMax = 16;  ///< region cuts, and criteria
 constexpr float kTubeRadiusMaxMm = 100;
 constexpr float kFibreOcclusionMaxPx = 128;
 constexpr float kHaloMaxPx = 8;
+constexpr float kDetailMinPx = 0.05F, kDetailMaxPx = 16;
 
 }  // namespace radiata::model

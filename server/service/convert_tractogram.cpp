@@ -177,14 +177,36 @@ v1::TractogramLayer toProto(const model::TractogramLayer& layer) {
     return message;
 }
 
+// Numbered alike.
+model::FibletPipeline pipelineOf(v1::FibletPipeline pipeline) { return static_cast<model::FibletPipeline>(pipeline); }
+v1::FibletPipeline pipelineOf(model::FibletPipeline pipeline) { return static_cast<v1::FibletPipeline>(pipeline); }
+static_assert(static_cast<int>(model::FibletPipeline::kPoints) == v1::FIBLET_PIPELINE_POINTS);
+
 model::FibletCulling cullingOf(v1::FibletCulling culling) {
-    if (culling == v1::FIBLET_CULLING_NONE) return model::FibletCulling::kNone;
-    return culling == v1::FIBLET_CULLING_FRUSTUM ? model::FibletCulling::kFrustum : model::FibletCulling::kTwoPhase;
+    switch (culling) {
+        case v1::FIBLET_CULLING_FRUSTUM:
+            return model::FibletCulling::kFrustum;
+        case v1::FIBLET_CULLING_NONE:
+            return model::FibletCulling::kNone;
+        case v1::FIBLET_CULLING_COVERAGE:
+            return model::FibletCulling::kCoverage;
+        default:
+            return model::FibletCulling::kTwoPhase;
+    }
 }
 
 v1::FibletCulling cullingOf(model::FibletCulling culling) {
-    if (culling == model::FibletCulling::kNone) return v1::FIBLET_CULLING_NONE;
-    return culling == model::FibletCulling::kFrustum ? v1::FIBLET_CULLING_FRUSTUM : v1::FIBLET_CULLING_TWO_PHASE;
+    switch (culling) {
+        case model::FibletCulling::kFrustum:
+            return v1::FIBLET_CULLING_FRUSTUM;
+        case model::FibletCulling::kNone:
+            return v1::FIBLET_CULLING_NONE;
+        case model::FibletCulling::kCoverage:
+            return v1::FIBLET_CULLING_COVERAGE;
+        case model::FibletCulling::kTwoPhase:
+            break;
+    }
+    return v1::FIBLET_CULLING_TWO_PHASE;
 }
 
 }  // namespace radiata::service

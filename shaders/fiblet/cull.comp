@@ -24,6 +24,20 @@ bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
     return fibletVisible(layer, low, high, kMargin, kTubes ? layer.view.tube_radius : 0.0, kPhase == 2u);
 }
 
+// Whether the depths hide all pieces of a box's diagonal with what is about them; a box alone reaches over many more pixels, and nearer.
+bool hiddenAlong(FibletLayerParams layer, FibletBox box, vec3 low, vec3 high) {
+    const uint kPieces = 8u;
+    vec3 from, to;
+    float radius;
+    if (!fibletDiagonal(box, low, high, from, to, radius)) return false;
+    const float grown = kTubes ? layer.view.tube_radius : 0.0;
+    for (uint i = 0u; i < kPieces; ++i) {
+        const vec3 a = mix(from, to, float(i) / float(kPieces)), b = mix(from, to, float(i + 1u) / float(kPieces));
+        if (fibletVisible(layer, min(a, b) - radius, max(a, b) + radius, kMargin, grown, true)) return false;
+    }
+    return true;
+}
+
 void main() {
     if (gl_WorkGroupID.x >= push.page_count) return;
     const FibletLayerParams layer = push.layer.layer;
@@ -41,5 +55,5 @@ void main() {
     if (kSegments && WordBuffer(layer.segments).at[fiblet] == 0ul) return;
     vec3 low, high;
     fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
-    if (visible(layer, low, high)) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
+    if (visible(layer, low, high) && !(kPhase == 2u && hiddenAlong(layer, BoxBuffer(layer.boxes).at[fiblet], low, high))) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
 }

@@ -15,9 +15,11 @@ layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
 layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
-layout(constant_id = 10) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
-layout(constant_id = 11) const bool kTail = false;  // and stands for all that are behind it, which were counted
+layout(constant_id = 11) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
+layout(constant_id = 12) const bool kTail = false;  // and stands for all that are behind it, which were counted
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;   // what no isosurface has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
@@ -42,6 +44,7 @@ layout(push_constant, scalar) uniform Push {
     MediumBuffer media;  // not read without kMedia
     VeilBuffer veil;     // not read without kVeil
     GlobalLightBuffer global_light;  // not read without kGlobalLight
+    SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
     FibletLayerBuffer peel;          // not read without kPeel
 } push;
 
@@ -51,6 +54,20 @@ vec3 glyphColour(FrameParams frame, LayerLook look, uint who, PixelRay ray, floa
     const GlyphInstance instance = InstanceBuffer(look.instances).at[who];
     const vec3 centre = (instance.centre_high - frame.rays.reference_high) + (instance.centre_low - frame.rays.reference_low);
     return baseColour(look, who, ray.origin - centre + depth * ray.direction);
+}
+
+// Radiance of an isosurface, towards the viewer; negative: lit as everything else is. \param base  its colour, which is set here
+vec3 surfaceRadiance(FrameParams frame, Surface surface, LayerLook look, PixelRay ray, uint at, inout vec3 base) {
+    if (kSurfaceLooks != 0u) {
+        const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+        base = surfaceColour(own, look, ray.origin + surface.depth * ray.direction);
+        if (shadesItself(own)) {
+            return shadeItself(frame, own, base, surface.normal, -ray.direction, litShare(push.shadow_bits, at),
+                               openShare(push.occlusion_bits, at));
+        }
+    }
+    if (!kGlobalLight || push.global_light.at[at].x < 0.0) return vec3(-1.0);
+    return base * push.global_light.at[at];
 }
 
 void main() {
@@ -74,10 +91,16 @@ void main() {
             base = fibreColour(look, surface.who, ray.origin + surface.depth * ray.direction, at, line, dimmed);
         }
         vec3 lit = vec3(-1.0);
-        if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
+        if ((kGlobalLight || kSurfaceLooks != 0u) && isKind(look, LAYER_SURFACE)) {
+            lit = surfaceRadiance(frame, surface, look, ray, at, base);
+        }
         if (lit.x < 0.0) {
             if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
             else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        }
+        if (kSurfaceLooks != 0u && isKind(look, LAYER_SURFACE)) {
+            const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+            lit = mix(lit, frame.background, surfaceFog(frame, own, ray, surface.depth));
         }
         if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
             const float size_mm = pixelSize(frame, ray.direction, surface.depth);

@@ -79,8 +79,26 @@ struct FibletLayerParams {
     uint page_count;
     uint layer;
     uint pyramid_levels;
+    uint64_t next;    // uint[fiblets]: that goes on along the fibre, or FIBLET_NOBODY; 0: nobody looks at it
+    float detail_px;  // pixels that lines may be off
+    float end_slack;  // mm that a fiblet's end may be from the start of the next
 };
-STATIC_SIZE(FibletLayerParams, 432);
+STATIC_SIZE(FibletLayerParams, 448);
+
+// A decoded fiblet on its way to the rasteriser.
+struct FibletSlot {
+    uint fiblet;
+    uint segments;
+    vec4 eye[64];  // points as fibletEyePoint() has them; segments + 1 are set
+};
+STATIC_SIZE(FibletSlot, 1032);
+
+// A point of a fibre without compression. Of the last point of a fibre `who` is that of the point before.
+struct FibreVertex {
+    vec3 point;  // from the fiblets' origin, mm
+    uint who;    // the segment that begins here
+};
+STATIC_SIZE(FibreVertex, 16);
 
 // Written by the device.
 struct FibletCounts {
@@ -88,8 +106,9 @@ struct FibletCounts {
     uint pages;     // that were looked into
     uint repaired;  // pixels whose tangent another fiblet had overwritten
     uint more;      // pixels of a transparent layer that show what is behind the segment composed last
+    uint error_px;  // bits of a float: largest bound on how far a simplified line is off
 };
-STATIC_SIZE(FibletCounts, 16);
+STATIC_SIZE(FibletCounts, 20);
 
 SHADER_NAMESPACE_END
 #endif

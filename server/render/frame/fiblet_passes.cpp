@@ -8,15 +8,18 @@
 
 #include "plan/fiblet_view.h"
 #include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_coverage.h"
 #include "render/frame/light_passes.h"
 
 namespace radiata::render {
 namespace {
 
-/// Shares of the pages, nearest first, after which the second phase looks at the depths anew: without knowledge of the latest
-/// picture what is in front must be drawn before it can hide anything.
-constexpr std::array<double, 5> kColdParts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-constexpr std::array<double, 1> kWarmParts{1.0};
+/// Shares of the pages, nearest first, before each of which the second phase looks at the depths anew: what is in front must be
+/// drawn before it can hide anything. Those seen last do not spare that: the camera moves, and through the gaps that it finds
+/// between them all pages would be seen.
+constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
+/// A new pyramid takes about as long as drawing a page for so many pixels.
+constexpr std::uint64_t kPixelsPerPage = 4096;
 /// Segments per pixel of a transparent layer that a moving picture composes.
 constexpr int kMovingPeels = 4;
 /// Workgroups of one dispatch; every device takes 65,535.
@@ -53,16 +56,21 @@ public:
           scene_(*run.list.layers[index_].tracts),
           own_(*run.target.fiblets[index_]),
           first_(pass.first),
-          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
+          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : ""),
+          lines_(run, index_, own_, pace, suffix_) {}
 
     void draw() {
         if (run_.list.frozen) freeze();
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         begin(first_);
+        if (atomic()) {
+            run_.target.fiblet_lines.reset();
+        } else {
+            lines_.begin();
+        }
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.culling == model::FibletCulling::kNone) {
-                raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
-                own_.drawn = scene_.fibletCount();
+                drawAll();
             } else if (run_.list.frozen) {
                 step(1, 0, orderPages());
             } else {
@@ -74,6 +82,7 @@ public:
 
     void drawPeels() {
         const bool fast = run_.list.moving;
+        peels_ = true;
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         own_.preparePeels(run_.device, run_.pixels(), fast);
         ensureBytes(run_.device, run_.target.peel_surface, run_.pixels() * sizeof(shader::Surface), gpu::Memory::kDevice,
@@ -96,6 +105,7 @@ public:
     }
 
     void findThrough(std::uint64_t inside, std::uint64_t found) {
+        peels_ = true;
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         own_.layer().inside = inside;
         own_.layer().found = found;
@@ -106,6 +116,12 @@ public:
     }
 
 private:
+    /// Transparent layers and outlines are for the atomic pipeline alone.
+    bool atomic() const { return peels_ || plan_.pipeline == model::FibletPipeline::kAtomic; }
+    bool meshes() const {
+        return plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial;
+    }
+
     /// The nearest segments that are not composed yet.
     void drawPeel() {
         if (plan_.culling == model::FibletCulling::kNone) {
@@ -135,12 +151,22 @@ private:
     }
 
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
+    bool coverage() const { return plan_.culling == model::FibletCulling::kCoverage; }
+
+    /// Segments that may become one line: a power of two, by which a line is about four pixels long.
+    std::uint32_t detailSegments(const shader::FibletView& view) const {
+        if (!(plan_.detail_px > 0)) return 0;
+        const double segment_px = static_cast<double>(scene_.set().codec.step_mm * glm::length(view.right));
+        const double wanted = std::log2(4 / std::max(segment_px, 1e-3));
+        return 1U << static_cast<std::uint32_t>(std::clamp(std::round(wanted), 0.0, 5.0));
+    }
 
     /// Lets `visible` be what is seen from the frozen camera.
     void freeze() {
         own_.knows_visible = false;
         prepare(run_.list.frozen->rays, run_.list.frozen->reference_mm);
         begin(true);
+        if (!atomic()) lines_.begin();
         if (run_.list.frozen->sees_scene) drawCulled();
         run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         resolve(true, true, true);
@@ -160,7 +186,11 @@ private:
                                                    reference_mm - origin, scene_.reachMm());
         view.line_width = static_cast<float>(plan_.line_width_px);
         view.tube_radius = plan_.tube_radius_mm;
-        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone);
+        const bool ends = plan_.detail_px > 0 || coverage();
+        // Lines to the start of the next fiblet leave the box of what is decoded by the codec's error.
+        const double end_slack = ends ? 2e-3 * scene_.set().errors.max_um : 0;
+        view.rounding += static_cast<float>(end_slack);
+        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone, ends);
         std::vector<shader::FibletCut> cuts;
         for (const model::FibreCut& cut : whole.scene.layers[index_].tracts().cuts) {
             const glm::dvec3 normal = glm::normalize(cut.normal);
@@ -168,6 +198,9 @@ private:
         }
         own_.fill(scene_, view, cuts, run_.list.layers[index_].fibres->stateAddress(), static_cast<std::uint32_t>(index_));
         own_.layer().segments = run_.list.layers[index_].fibres->segmentAddress();
+        own_.layer().end_slack = static_cast<float>(end_slack);
+        own_.layer().detail_px = plan_.detail_px;
+        detail_ = detailSegments(view);
         own_.drawn = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
     }
@@ -184,16 +217,16 @@ private:
         const auto start = std::chrono::steady_clock::now();
         run_.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (fiblets == 0) return;
-        pace_.fiblets =
-            std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
+        pace_.learn(fiblets, took_ms);
     }
 
+    /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
         const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines ? 1U : 0U,
-                              plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U, plan_.segments ? 1U : 0U,
-                              plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U, finding_ ? 1U : 0U});
+            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                              plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
+                              plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
+                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -250,20 +283,26 @@ private:
     void drawCulled() {
         const std::uint32_t pages = orderPages();
         own_.drawn = 0;
+        if (coverage()) {
+            if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();
+            own_.coverage->cull(run_, plan_, scene_, own_, suffix_);
+            submit(0);
+            drawListed(true);
+            return;
+        }
         if (!twoPhases()) {
             step(0, 0, pages);
             return;
         }
-        const bool warm = own_.knows_visible;
-        if (warm) {
+        if (own_.knows_visible) {
             step(1, 0, pages);
         } else {
             run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         }
         std::uint32_t first = 0;
-        const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
-        for (const double part : parts) {
+        for (const double part : kParts) {
             const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+            if (part < 1 && end - first <= run_.pixels() / kPixelsPerPage) continue;
             run_.checkCancelled();
             pyramid();
             step(2, first, end);
@@ -273,10 +312,29 @@ private:
 
     /// Draws what a phase of culling leaves of some pages in their order.
     void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        cull(phase, first, end);
-        const std::uint32_t listed = own_.counts().listed;
-        raster(true, static_cast<std::uint32_t>(own_.drawn), listed);
+        const bool mesh_lines = meshes() && plan_.lines;
+        if (mesh_lines) lines_.drawPages(phase, first, end, !plan_.tubes);
+        if (!mesh_lines || plan_.tubes) cull(phase, first, end);
+        drawListed(!mesh_lines);
+    }
+
+    /// What is new in the list. \param lines  not only tubes
+    void drawListed(bool lines) {
+        const std::uint32_t listed = own_.counts().listed, drawn = static_cast<std::uint32_t>(own_.drawn);
+        if (!atomic() && lines && plan_.lines) lines_.draw(true, drawn, listed);
+        if (atomic() || plan_.tubes) raster(true, drawn, listed);
         own_.drawn = listed;
+    }
+
+    void drawAll() {
+        const auto all = static_cast<std::uint32_t>(scene_.fibletCount());
+        if (meshes() && plan_.lines) {
+            lines_.drawPages(3, 0, static_cast<std::uint32_t>(scene_.pages().size()), false);
+        } else if (!atomic() && plan_.lines) {
+            lines_.draw(false, 0, all);
+        }
+        if (atomic() || plan_.tubes) raster(false, 0, all);
+        own_.drawn = all;
     }
 
     void surface() {
@@ -293,6 +351,13 @@ private:
             submit(0);
         }
         own_.knows_visible = marks;
+        if (!coverage()) {
+            own_.coverage.reset();
+        } else if (own_.coverage && !run_.list.frozen) {
+            pyramid();
+            own_.coverage->remember(run_, scene_, own_, suffix_);
+            submit(0);
+        }
     }
 
     /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
@@ -310,10 +375,13 @@ private:
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
+    std::uint32_t detail_ = 0;
     bool first_;                               ///< nothing is in the surface buffer yet
+    bool peels_ = false;                       ///< segment by segment, one behind the other
     bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
     bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
+    FibletLines lines_;
 };
 
 }  // namespace

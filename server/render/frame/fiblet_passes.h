@@ -2,15 +2,9 @@
 // what they won goes to the surface buffer.
 #pragma once
 
-#include "render/frame/pass_run.h"
+#include "render/frame/fiblet_lines.h"
 
 namespace radiata::render {
-
-/// Fiblets per submission, adapted to the last measured speed.
-struct FibletPace {
-    static constexpr double kSubmissionMs = 30;
-    double fiblets = 4096;
-};
 
 /// All passes of the layer, in bounded submissions.
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);

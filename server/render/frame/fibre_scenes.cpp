@@ -48,4 +48,14 @@ FibreLook FibreScenes::look(gpu::Device& device, const std::shared_ptr<const Fib
                  [&] { return std::make_shared<const FibreColours>(device, scene->set(), layer.colour, selector); })};
 }
 
+std::shared_ptr<const FibreVertices> FibreScenes::vertices(gpu::Device& device,
+                                                           const std::shared_ptr<const FibletScene>& scene) {
+    if (vertices_serial_ != scene->serial()) {
+        vertices_.reset();
+        vertices_ = std::make_shared<const FibreVertices>(device, scene->set());
+        vertices_serial_ = scene->serial();
+    }
+    return vertices_;
+}
+
 }  // namespace radiata::render

@@ -6,6 +6,7 @@
 
 #include "render/fiblet/fiblet_scene.h"
 #include "render/fiblet/fibre_look.h"
+#include "render/fiblet/fibre_vertices.h"
 
 namespace radiata::render {
 
@@ -16,6 +17,8 @@ public:
     /// \param selector  of the same tractogram. \throws as FibreFilter() and FibreColours()
     FibreLook look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene, const model::TractogramLayer& layer,
                    FibreSelector& selector);
+    /// \throws as FibreVertices()
+    std::shared_ptr<const FibreVertices> vertices(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene);
 
 private:
     static constexpr std::size_t kScenesKept = 8, kLooksKept = 16;
@@ -32,6 +35,9 @@ private:
     std::list<std::shared_ptr<const FibletScene>> scenes_;  ///< most recently used first
     std::list<Kept<FibreFilter>> filters_;
     std::list<Kept<FibreColours>> colours_;
+    /// Of one tractogram: they are large.
+    std::uint64_t vertices_serial_ = 0;
+    std::shared_ptr<const FibreVertices> vertices_;
 };
 
 }  // namespace radiata::render

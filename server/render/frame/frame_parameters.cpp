@@ -47,6 +47,11 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
     if (const model::IsosurfaceLayer* surface = wanted.ifSurface()) {
         look.colour = shader::COLOUR_UNIFORM;
         look.uniform_colour = surface->colour;
+        if (surface->colour_by) {
+            look.map = colours.address(surface->colour_by->map);
+            look.range_low = surface->colour_by->range->low;
+            look.range_high = surface->colour_by->range->high;
+        }
     }
     if (!list.layers[layer].glyphs) return look;
     GlyphScene& scene = *list.layers[layer].glyphs;

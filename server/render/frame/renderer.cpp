@@ -1,6 +1,7 @@
 #include "render/frame/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -12,9 +13,13 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
+#include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
+#include "render/frame/path_passes.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
 #include "store/scalar_dataset.h"
@@ -25,7 +30,6 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
-constexpr std::size_t kLatticesKept = 4;
 /// A picture at rest shows its global light in between, when it works on it for so long.
 constexpr std::chrono::milliseconds kSettleSlice{250};
 /// Points decoded on the device may be that much outside of boxes made on the CPU.
@@ -73,6 +77,17 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
     }
 }
 
+/// What became of the layers' fiblets in the latest sample.
+void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) continue;
+        const FibletBuffers& own = *target.fiblets[i];
+        info.fiblets += list.layers[i].tracts->fibletCount();
+        info.fiblets_drawn += own.drawn;
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
+    }
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -81,16 +96,19 @@ struct Renderer::Impl {
     model::Limits limits;
     Drawer drawer;
     plan::Abilities abilities;
+    std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
-    std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    FrameLattices lattices;
+    PathLights path_lights;
+    IsosurfaceTriangles triangles;
     FibreScenes tracts;
     Target own_target, pick_target;
 
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
-        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
+        addFibreAbilities(device, abilities);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -136,6 +154,7 @@ struct Renderer::Impl {
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
             result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
+            if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -144,41 +163,13 @@ struct Renderer::Impl {
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             result.volume = store.volume(surface->dataset_id);
             result.bounds = volumeBounds(*result.volume);
+            if (surface->colour_by) result.colours = store.volume(surface->colour_by->image_id);
+            if (quality.isosurface.method == model::SurfaceMethod::kMarchingCubes && layer.opacity >= 1) {
+                result.triangles = triangles.get(device, store.scalars(surface->dataset_id),
+                                                 surface->isovalue.value_or(result.volume->valueSplit()));
+            }
         }
         return result;
-    }
-
-    std::shared_ptr<IlluminationLattice> lattice(const std::shared_ptr<const store::VolumeDataset>& volume,
-                                                 const model::Illumination& light, bool projected) {
-        for (auto it = lattices.begin(); it != lattices.end(); ++it) {
-            if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
-                !IlluminationLattice::sameTexels((*it)->settings(), light)) {
-                continue;
-            }
-            lattices.splice(lattices.begin(), lattices, it);
-            return lattices.front();
-        }
-        lattices.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
-        if (lattices.size() > kLatticesKept) lattices.pop_back();
-        return lattices.front();
-    }
-
-    /// Global light of a planned frame's layers.
-    void light(DrawList& list, const std::atomic<bool>* cancel) {
-        const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
-        for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kIllumination) continue;
-            const auto layer = static_cast<std::size_t>(pass.layer);
-            const model::Scene& scene = list.plan->resolved.scene;
-            const model::Illumination& wanted = *scene.light.illumination;
-            const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
-            DrawnLayer& drawn = list.layers[layer];
-            drawn.lattice = lattice(drawn.volume, wanted, false);
-            if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
-            for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
-                if (one) one->update(latticeRun(pass_run), wanted, nullptr, surface.colour, *surface.isovalue);
-            }
-        }
     }
 
     /// What the plan has to know about a layer.
@@ -198,6 +189,7 @@ struct Renderer::Impl {
             facts.value_max = layer.volume->valueMax();
             facts.value_split = layer.volume->valueSplit();
             facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            if (layer.colours) facts.colours = {layer.colours->valueMin(), layer.colours->valueMax()};
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -212,11 +204,26 @@ struct Renderer::Impl {
         return facts;
     }
 
+    /// Tests a way to draw fibres before its first use; plans refuse those that fail.
+    void testFibres(model::FibletPipeline wanted) {
+        using Pipeline = model::FibletPipeline;
+        const auto bit = [](Pipeline one) { return 1U << static_cast<unsigned>(one); };
+        if (wanted == Pipeline::kAuto) {
+            testFibres(Pipeline::kAtomic);
+            if ((abilities.failed_pipelines & bit(Pipeline::kAtomic)) != 0) testFibres(Pipeline::kPull);
+            return;
+        }
+        if ((tested_pipelines & bit(wanted)) != 0) return;
+        tested_pipelines |= bit(wanted);
+        if (!fibletPipelineWorks(device, drawer, wanted, abilities)) abilities.failed_pipelines |= bit(wanted);
+    }
+
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
         const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
+            if (layer.ifTracts()) testFibres(request.quality.fiblet_pipeline);
             list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
@@ -267,7 +274,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     model::Frame frame;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(request, plan, frame.info);
-    impl_->light(list, cancel);
+    impl_->lattices.prepare(
+        {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
+        impl_->store);
+    preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -293,9 +303,13 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
-    if (global) frame.info.illumination = illuminationInfo(list);
+    if (global) impl_->lattices.save(list, impl_->store);
+    if (global) {
+        frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+    }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
+    noteFiblets(buffers, list, frame.info);
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;

@@ -1,4 +1,4 @@
-// What the catalogue says about tractograms and meshes.
+// What the catalogue tells of tractograms and meshes.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@ namespace radiata::store {
 
 model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set);
 model::DatasetInfo meshInfo(const std::string& id, const model::TriangleMesh& mesh);
-/// What a file's header alone says, which may be wrong about counts; counts are 0 if it cannot be read.
+/// What the header alone says, which may be wrong about counts.
 model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path);
 
 }  // namespace radiata::store

@@ -1,4 +1,4 @@
-#include "store/tract_infos.h"
+#include "store/dataset_infos.h"
 
 #include <limits>
 
