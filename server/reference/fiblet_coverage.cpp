@@ -8,8 +8,8 @@
 
 namespace radiata::reference {
 
-std::vector<double> dilatedDepths(std::span<const double> depths, int columns, const model::Camera& camera, int width, int height,
-                                  int texel_px, double reach_mm) {
+std::vector<double> dilatedDepths(std::span<const double> depths, int columns, const model::Camera& camera, int width,
+                                  int height, int texel_px, double reach_mm) {
     const glm::dvec3 forward = glm::normalize(camera.target_mm - camera.eye_mm);
     const auto rayOf = [&](std::size_t texel) {
         const int column = static_cast<int>(texel) % columns, row = static_cast<int>(texel) / columns;
@@ -18,8 +18,8 @@ std::vector<double> dilatedDepths(std::span<const double> depths, int columns, c
     std::vector<double> dilated(depths.begin(), depths.end());
     for (std::size_t i = 0; i < depths.size(); ++i) {
         const Ray to = rayOf(i);
-        const glm::dvec3 centre =
-            to.origin + (depths[i] - glm::dot(to.origin - camera.eye_mm, forward)) / glm::dot(to.direction, forward) * to.direction;
+        const glm::dvec3 centre = to.origin + (depths[i] - glm::dot(to.origin - camera.eye_mm, forward)) /
+                                                  glm::dot(to.direction, forward) * to.direction;
         const double picture_mm = camera.perspective
                                       ? 2 * depths[i] * std::tan(0.5 * camera.field_of_view_deg * std::numbers::pi / 180)
                                       : camera.height_mm;

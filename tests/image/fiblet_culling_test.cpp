@@ -1,5 +1,5 @@
-// Which fiblets are drawn and how exactly: the coverage buffer against its twin and what it leaves out, level of detail within its
-// bound.
+// Which fiblets are drawn and how exactly: the coverage buffer against its twin and what it leaves out, level of detail within
+// its bound.
 #include <bit>
 #include <cmath>
 #include <iostream>
@@ -10,7 +10,6 @@
 #include "reference/fiblet_coverage.h"
 #include "render/frame/fiblet_coverage.h"
 #include "render/frame/target.h"
-#include "shaders/shared/fiblet_coverage.glsl"
 
 namespace radiata::test {
 namespace {
@@ -80,7 +79,8 @@ TEST_F(FibletCulling, CoverageMissesFibresAfterJumpsOnly) {
         request.quality.fiblet_culling = model::FibletCulling::kCoverage;
         const model::Frame culled = renderer.render(target, request, 0, 1, everything());
         int other = 0;
-        for (std::size_t at = 0; at < all.pixels.depth.size(); ++at) other += all.pixels.id[4 * at + 1] != culled.pixels.id[4 * at + 1];
+        for (std::size_t at = 0; at < all.pixels.depth.size(); ++at)
+            other += all.pixels.id[4 * at + 1] != culled.pixels.id[4 * at + 1];
         std::cout << other << " of " << all.info.hit_pixels << " pixels, " << culled.info.fiblets_drawn << " of "
                   << culled.info.fiblets << " fiblets\n";
         return std::pair(other / static_cast<double>(all.info.hit_pixels),
@@ -114,8 +114,9 @@ double distancePx(const model::FrameRequest& request, std::span<const reference:
     return nearest;
 }
 
-/// What is seen is the fibre of its id, and within the bound: half a pixel that lines are wide, and the bound that the frame reports,
-/// which is the setting's at most. Whole fiblets become lines as well as groups of segments. Culled and unculled frames are equal.
+/// What is seen is the fibre of its id, and within the bound: half a pixel that lines are wide, and the bound that the frame
+/// reports, which is the setting's at most. Whole fiblets become lines as well as groups of segments. Culled and unculled
+/// frames are equal.
 TEST_F(FibletCulling, DetailKeepsIdsWithinItsBound) {
     const model::FibletSet set = randomTractogram(6, 60, 400, 0.1, 8);
     const std::vector<reference::FibreSegment> all = decodedSegments(set);

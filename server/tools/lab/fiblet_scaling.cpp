@@ -45,8 +45,8 @@ Scaling measureSize(gpu::Device& device, const Size& size, Report& report, int h
     report.device = renderer.deviceName();
     const std::uint64_t before = device.allocatedBytes();
     model::FrameRequest request = fibreFrame(height, "fibres");
-    const model::Camera start = renderer.fitCamera("fibres", {}, model::Convention::kRadiological,
-                                                   static_cast<double>(request.width) / request.height);
+    const model::Camera start =
+        renderer.fitCamera("fibres", {}, model::Convention::kRadiological, static_cast<double>(request.width) / request.height);
     render::Target target;
     result.culled = {label(size.fibres, "culled, wall clock"), "ms", {}};
     result.unculled = {label(size.fibres, "unculled, wall clock"), "ms", {}};

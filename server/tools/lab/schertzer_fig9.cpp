@@ -1,8 +1,10 @@
-// schertzer-fig9: what the coverage scheme of Schertzer et al. 2022 (Sec. 3.4) leaves out wrongly. A view rests until its buffer has
-// settled, then the camera turns by some angle, 60 degrees in the paper's figure, and rests again. A pixel is faulty if it shows
-// somebody else than all fiblets together do; a fiblet is culled wrongly if it is seen in the picture of all and was not drawn.
+// schertzer-fig9: what the coverage scheme of Schertzer et al. 2022 (Sec. 3.4) leaves out wrongly. A view rests until its
+// buffer has settled, then the camera turns by some angle, 60 degrees in the paper's figure, and rests again. A pixel is faulty
+// if it shows somebody else than all fiblets together do; a fiblet is culled wrongly if it is seen in the picture of all and
+// was not drawn.
 #include <set>
 
+#include "render/frame/renderer.h"
 #include "store/store.h"
 #include "tools/lab/experiments.h"
 #include "tools/lab/statistics.h"
@@ -52,8 +54,8 @@ Report schertzerFig9(gpu::Device& device, const Options& options) {
     const int height = pictureHeight(device, options, kHeight, kHeight);
     model::FrameRequest request = fibreFrame(height, "fibres");
     report.view = std::to_string(request.width) + "x" + std::to_string(request.height) + ", whole, perspective, one sample";
-    model::Camera start = renderer.fitCamera("fibres", {}, model::Convention::kRadiological,
-                                             static_cast<double>(request.width) / request.height);
+    model::Camera start =
+        renderer.fitCamera("fibres", {}, model::Convention::kRadiological, static_cast<double>(request.width) / request.height);
     start.perspective = true;
     model::Outputs outputs;
     outputs.id = outputs.depth = true;

@@ -21,8 +21,8 @@ struct TractScene {
 /// fibres  at most so many of each
 std::vector<TractScene> tractScenes(std::size_t fibres);
 
-/// Fibres of 800 points, 0.1 mm apart, in a ball of brain size (140 mm), that turn a little at each step and are turned back at the
-/// surface: dense outside and inside. Made while they are encoded, so that only fiblets take memory.
+/// Fibres of 800 points, 0.1 mm apart, in a ball of brain size (140 mm), that turn a little at each step and are turned back at
+/// the surface: dense outside and inside. Made while they are encoded, so that only fiblets take memory.
 model::FibletSet ballOfFibres(std::size_t fibres);
 
 /// A frame of one layer of fibres at 16 : 9, one sample, without marks; the camera is left as it is.
