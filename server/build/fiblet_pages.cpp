@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <span>
 
 #include "base/parallel.h"
 #include "build/fiblet_code.h"
@@ -34,7 +35,46 @@ std::uint64_t mortonCode(const model::FibletHead& head, const std::uint32_t* wor
 
 struct Bounds {
     glm::vec3 low{std::numeric_limits<float>::max()}, high{std::numeric_limits<float>::lowest()};
+    std::uint32_t diagonal = 0;  ///< bits as in shader::FibletBox
+    float off = 0;               ///< largest distance of a point from that diagonal
 };
+
+/// The diagonal that points run along, and how far they are from it.
+void findDiagonal(std::span<const glm::vec3> points, Bounds& box) {
+    const glm::vec3 middle = 0.5F * (box.low + box.high);
+    float xy = 0, xz = 0;
+    for (const glm::vec3& point : points) {
+        const glm::vec3 p = point - middle;
+        xy += p.x * p.y;
+        xz += p.x * p.z;
+    }
+    box.diagonal = (xy < 0 ? 1U : 0U) | (xz < 0 ? 2U : 0U);
+    const glm::vec3 from(box.low.x, xy < 0 ? box.high.y : box.low.y, xz < 0 ? box.high.z : box.low.z);
+    const glm::vec3 way = box.low + box.high - 2.0F * from;
+    const float length2 = glm::dot(way, way);
+    for (const glm::vec3& point : points) {
+        const float share = length2 > 0 ? std::clamp(glm::dot(point - from, way) / length2, 0.0F, 1.0F) : 0;
+        box.off = std::max(box.off, glm::distance(point, from + share * way));
+    }
+}
+
+/// As the device unpacks it.
+glm::vec3 unpacked(std::uint32_t bits, const shader::FibletPage& page) {
+    const glm::vec3 whole(bits & 1023U, bits >> 10 & 1023U, bits >> 20 & 1023U);
+    return page.low + whole / static_cast<float>(shader::FIBLET_BOX_STEPS) * (page.high - page.low);
+}
+
+/// The upper bits of a box: its diagonal, and how far points are from it in parts of its length.
+void addDiagonal(shader::FibletBox& packed, const Bounds& box, const shader::FibletPage& page) {
+    const glm::vec3 low = unpacked(packed.low, page), high = unpacked(packed.high, page);
+    // The diagonal is that of the unpacked box, whose corners are a little farther out.
+    const float off = box.off + glm::length(glm::max(box.low - low, high - box.high)) + 1e-3F;
+    const float length = glm::distance(low, high);
+    std::uint32_t n = 0;
+    while (n < 3 && off <= length * std::exp2(-static_cast<float>(n + 3))) ++n;
+    packed.low |= box.diagonal << 30;
+    packed.high |= n << 30;
+}
 
 /// One step outwards of three coordinates in steps of the page's box.
 std::uint32_t steps(glm::vec3 p, const shader::FibletPage& page, bool upwards) {
@@ -66,6 +106,7 @@ void boundPage(model::FibletSet& set, std::size_t p) {
             boxes[f].low = glm::min(boxes[f].low, points[i]);
             boxes[f].high = glm::max(boxes[f].high, points[i]);
         }
+        findDiagonal(std::span(points).first(count), boxes[f]);
         boxes[f].low += start - kSlackMm;
         boxes[f].high += start + kSlackMm;
         all.low = glm::min(all.low, boxes[f].low);
@@ -75,6 +116,7 @@ void boundPage(model::FibletSet& set, std::size_t p) {
     page.high = all.high;
     for (std::uint32_t f = 0; f < page.count; ++f) {
         set.boxes[p * FIBLET_PAGE + f] = {steps(boxes[f].low, page, false), steps(boxes[f].high, page, true)};
+        addDiagonal(set.boxes[p * FIBLET_PAGE + f], boxes[f], page);
     }
 }
 

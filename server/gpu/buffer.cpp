@@ -58,8 +58,8 @@ std::uint32_t chooseMemoryType(const vk::PhysicalDeviceMemoryProperties& types, 
 
 vk::BufferUsageFlags usages(const Device::Impl& device) {
     using Usage = vk::BufferUsageFlagBits;
-    vk::BufferUsageFlags flags =
-        Usage::eShaderDeviceAddress | Usage::eStorageBuffer | Usage::eIndexBuffer | Usage::eTransferSrc | Usage::eTransferDst;
+    vk::BufferUsageFlags flags = Usage::eShaderDeviceAddress | Usage::eStorageBuffer | Usage::eIndexBuffer |
+                                 Usage::eIndirectBuffer | Usage::eTransferSrc | Usage::eTransferDst;
     if (device.has(Feature::kRayQuery)) {
         flags |= Usage::eAccelerationStructureBuildInputReadOnlyKHR | Usage::eAccelerationStructureStorageKHR;
     }

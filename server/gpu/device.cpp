@@ -34,6 +34,7 @@ void readProperties(Device::Impl& impl) {
     impl.info.driver = std::string(driver.driverName) + " " + std::string(driver.driverInfo);
     impl.info.subgroup_size = chain.get<vk::PhysicalDeviceVulkan11Properties>().subgroupSize;
     impl.info.storage_range_max = impl.properties.limits.maxStorageBufferRange;
+    if (impl.has(Feature::kWideLines)) impl.info.line_width_max = impl.properties.limits.lineWidthRange[1];
     impl.info.software = impl.properties.deviceType == vk::PhysicalDeviceType::eCpu;
     for (std::uint32_t i = 0; i < impl.memory.memoryHeapCount; ++i) {
         const vk::MemoryHeap& heap = impl.memory.memoryHeaps[i];
@@ -83,7 +84,14 @@ void makePipelineObjects(Device::Impl& impl) {
         // A driver may refuse what it once wrote; an empty cache is only slower.
         impl.pipeline_cache = vk::raii::PipelineCache(impl.device, vk::PipelineCacheCreateInfo{});
     }
-    const vk::PushConstantRange range{.stageFlags = Device::Impl::kPushStages, .size = kPushConstantBytes};
+    using Stage = vk::ShaderStageFlagBits;
+    impl.push_stages = Stage::eCompute | Stage::eVertex | Stage::eFragment;
+    if (impl.has(Feature::kGeometryShader)) impl.push_stages |= Stage::eGeometry;
+    if (impl.has(Feature::kTessellationShader)) {
+        impl.push_stages |= Stage::eTessellationControl | Stage::eTessellationEvaluation;
+    }
+    if (impl.has(Feature::kMeshShader)) impl.push_stages |= Stage::eTaskEXT | Stage::eMeshEXT;
+    const vk::PushConstantRange range{.stageFlags = impl.push_stages, .size = kPushConstantBytes};
     impl.pipeline_layout = vk::raii::PipelineLayout(
         impl.device, vk::PipelineLayoutCreateInfo{.pushConstantRangeCount = 1, .pPushConstantRanges = &range});
 }

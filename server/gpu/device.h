@@ -10,7 +10,21 @@
 namespace radiata::gpu {
 
 /// What a device may or may not be able to do; device_features.cpp says who needs it and what is done without it.
-enum class Feature { kRayQuery, kInt64Atomics, kMeshShader, kSubgroupBallot, kMemoryBudget, kRaster, kFloat64 };
+enum class Feature {
+    kRayQuery,
+    kInt64Atomics,
+    kMeshShader,
+    kSubgroupBallot,
+    kMemoryBudget,
+    kRaster,
+    kFloat64,
+    kLines,
+    kWideLines,
+    kGeometryShader,
+    kTessellationShader,
+    kMeshSubgroups
+};
+constexpr std::size_t kFeatureCount = 12;
 
 struct DeviceOptions {
     std::string device{};                    ///< number in list(), or a part of the name; empty: the most capable one
@@ -25,6 +39,7 @@ struct DeviceInfo {
     std::uint32_t subgroup_size = 0;
     std::uint64_t storage_range_max = 0;  ///< bytes
     std::uint64_t memory_bytes = 0;       ///< largest device-local heap
+    float line_width_max = 1;             ///< pixels, of Feature::kLines
     bool software = false;                ///< a CPU rasteriser
 };
 

@@ -137,6 +137,49 @@ const std::vector<FeatureRow> kTable = {
          f.v13.shaderTerminateInvocation = VK_TRUE;
          f.core.features.fragmentStoresAndAtomics = VK_TRUE;
      }},
+    {"lines",
+     Feature::kLines,
+     "fibres drawn as lines by the device's rasteriser: pull, mesh, mesh-serial, geometry, tessellation, lines",
+     "fibres drawn by a compute shader",
+     {VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME},
+     [](const Abilities& a) {
+         return a.draws && a.features.lines.bresenhamLines == VK_TRUE && a.features.core.features.multiDrawIndirect == VK_TRUE;
+     },
+     [](FeatureChain& f) {
+         f.lines.bresenhamLines = VK_TRUE;
+         f.core.features.multiDrawIndirect = VK_TRUE;
+     }},
+    {"wide_lines",
+     Feature::kWideLines,
+     "such lines of more than one pixel",
+     "refusing them",
+     {},
+     [](const Abilities& a) { return a.features.core.features.wideLines == VK_TRUE; },
+     [](FeatureChain& f) { f.core.features.wideLines = VK_TRUE; }},
+    {"geometry_shader",
+     Feature::kGeometryShader,
+     "the fiblet pipeline geometry",
+     "refusing it",
+     {},
+     [](const Abilities& a) { return a.draws && a.features.core.features.geometryShader == VK_TRUE; },
+     [](FeatureChain& f) { f.core.features.geometryShader = VK_TRUE; }},
+    {"tessellation_shader",
+     Feature::kTessellationShader,
+     "the fiblet pipeline tessellation",
+     "refusing it",
+     {},
+     [](const Abilities& a) { return a.draws && a.features.core.features.tessellationShader == VK_TRUE; },
+     [](FeatureChain& f) { f.core.features.tessellationShader = VK_TRUE; }},
+    {"mesh_subgroups",
+     Feature::kMeshSubgroups,
+     "prefixes over the invocations of a mesh shader",
+     "shared memory",
+     {VK_EXT_MESH_SHADER_EXTENSION_NAME},
+     [](const Abilities& a) {
+         return (a.v11.subgroupSupportedOperations & vk::SubgroupFeatureFlagBits::eShuffleRelative) &&
+                (a.v11.subgroupSupportedStages & vk::ShaderStageFlagBits::eMeshEXT) && a.v11.subgroupSize >= 4;
+     },
+     [](FeatureChain&) {}},
     {"shader_float64",
      Feature::kFloat64,
      "the intersection method polynomial-double",
@@ -172,6 +215,7 @@ void FeatureChain::link(const std::set<std::string>& extensions) {
     append(VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME, acceleration);
     append(VK_KHR_RAY_QUERY_EXTENSION_NAME, ray_query);
     append(VK_EXT_MESH_SHADER_EXTENSION_NAME, mesh);
+    append(VK_EXT_LINE_RASTERIZATION_EXTENSION_NAME, lines);
 }
 
 Abilities::Abilities(const vk::raii::PhysicalDevice& physical) : properties(physical.getProperties()) {

@@ -22,6 +22,7 @@ struct FeatureChain {
     vk::PhysicalDeviceAccelerationStructureFeaturesKHR acceleration;
     vk::PhysicalDeviceRayQueryFeaturesKHR ray_query;
     vk::PhysicalDeviceMeshShaderFeaturesEXT mesh;
+    vk::PhysicalDeviceLineRasterizationFeaturesEXT lines;
 
     FeatureChain() = default;
     FeatureChain(const FeatureChain&) = delete;

@@ -38,19 +38,18 @@ struct Device::Impl {
     std::uint32_t queue_family = 0;
     vk::PhysicalDeviceProperties properties;
     vk::PhysicalDeviceMemoryProperties memory;
-    std::uint64_t allocation_size_max = 0;  ///< bytes of one allocation
-    std::uint64_t buffer_size_max = 0;      ///< bytes of one buffer
-    std::uint64_t scratch_alignment = 1;    ///< of scratch addresses of acceleration-structure builds
-    std::uint64_t box_count_max = 0;        ///< boxes in one acceleration structure
-    std::uint64_t timestamp_mask = 0;       ///< valid bits
-    std::array<bool, 6> features{};         ///< by Feature
+    std::uint64_t allocation_size_max = 0;       ///< bytes of one allocation
+    std::uint64_t buffer_size_max = 0;           ///< bytes of one buffer
+    std::uint64_t scratch_alignment = 1;         ///< of scratch addresses of acceleration-structure builds
+    std::uint64_t box_count_max = 0;             ///< boxes in one acceleration structure
+    std::uint64_t timestamp_mask = 0;            ///< valid bits
+    std::array<bool, kFeatureCount> features{};  ///< by Feature
 
     std::array<std::atomic<std::uint64_t>, VK_MAX_MEMORY_HEAPS> heap_bytes{};  ///< taken by live buffers
     std::atomic<std::uint32_t> allocation_count{0};
 
-    /// Stages that push constants reach: one layout serves compute and drawing.
-    static constexpr vk::ShaderStageFlags kPushStages =
-        vk::ShaderStageFlagBits::eCompute | vk::ShaderStageFlagBits::eVertex | vk::ShaderStageFlagBits::eFragment;
+    /// Stages that push constants reach: one layout serves compute and drawing by all stages that the device has.
+    vk::ShaderStageFlags push_stages;
 
     bool has(Feature feature) const { return features[static_cast<std::size_t>(feature)]; }
 

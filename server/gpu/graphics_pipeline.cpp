@@ -12,16 +12,58 @@ vk::raii::ShaderModule makeModule(const Device::Impl& device, const Shader& shad
     return {device.device, vk::ShaderModuleCreateInfo{.codeSize = shader.spirv.size_bytes(), .pCode = shader.spirv.data()}};
 }
 
+vk::ShaderStageFlagBits flagOf(ShaderStage stage) {
+    using Flag = vk::ShaderStageFlagBits;
+    switch (stage) {
+        case ShaderStage::kVertex:
+            return Flag::eVertex;
+        case ShaderStage::kGeometry:
+            return Flag::eGeometry;
+        case ShaderStage::kTessellationControl:
+            return Flag::eTessellationControl;
+        case ShaderStage::kTessellationEvaluation:
+            return Flag::eTessellationEvaluation;
+        case ShaderStage::kTask:
+            return Flag::eTaskEXT;
+        case ShaderStage::kMesh:
+            return Flag::eMeshEXT;
+        case ShaderStage::kFragment:
+            break;
+    }
+    return Flag::eFragment;
+}
+
+vk::PrimitiveTopology topologyOf(Primitives primitives) {
+    switch (primitives) {
+        case Primitives::kLines:
+            return vk::PrimitiveTopology::eLineList;
+        case Primitives::kLineStrips:
+            return vk::PrimitiveTopology::eLineStrip;
+        case Primitives::kPointsToLines:
+            return vk::PrimitiveTopology::ePointList;
+        case Primitives::kPatchesToLines:
+            return vk::PrimitiveTopology::ePatchList;
+        case Primitives::kTriangles:
+            break;
+    }
+    return vk::PrimitiveTopology::eTriangleList;
+}
+
 vk::raii::Pipeline makePipeline(const Device::Impl& device, std::span<const vk::PipelineShaderStageCreateInfo> stages,
-                                Faces faces) {
+                                const Assembly& assembly) {
+    const bool lines = assembly.primitives != Primitives::kTriangles;
     const vk::PipelineVertexInputStateCreateInfo no_vertex_input{};
-    const vk::PipelineInputAssemblyStateCreateInfo triangles{.topology = vk::PrimitiveTopology::eTriangleList};
+    const vk::PipelineInputAssemblyStateCreateInfo input{.topology = topologyOf(assembly.primitives)};
+    const vk::PipelineTessellationStateCreateInfo one_point{.patchControlPoints = 1};
     const vk::PipelineViewportStateCreateInfo viewport{.viewportCount = 1, .scissorCount = 1};
+    const vk::PipelineRasterizationLineStateCreateInfoEXT by_pixels{.lineRasterizationMode =
+                                                                        vk::LineRasterizationModeEXT::eBresenham};
     const vk::PipelineRasterizationStateCreateInfo rasterization{
+        .pNext = lines ? &by_pixels : nullptr,
         .polygonMode = vk::PolygonMode::eFill,
-        .cullMode = faces == Faces::kBack ? vk::CullModeFlagBits::eFront : vk::CullModeFlagBits::eNone,
+        .cullMode = assembly.faces == Faces::kBack ? vk::CullModeFlagBits::eFront : vk::CullModeFlagBits::eNone,
         .frontFace = vk::FrontFace::eCounterClockwise,
-        .lineWidth = 1};
+        .lineWidth = assembly.line_width};
     const vk::PipelineMultisampleStateCreateInfo one_sample{.rasterizationSamples = vk::SampleCountFlagBits::e1};
     const vk::PipelineDepthStencilStateCreateInfo depth{
         .depthTestEnable = VK_TRUE, .depthWriteEnable = VK_TRUE, .depthCompareOp = vk::CompareOp::eGreater};
@@ -34,42 +76,48 @@ vk::raii::Pipeline makePipeline(const Device::Impl& device, std::span<const vk::
     const vk::PipelineRenderingCreateInfo formats{
         .colorAttachmentCount = 1, .pColorAttachmentFormats = &kWordFormat, .depthAttachmentFormat = kDepthFormat};
     return {device.device, device.pipeline_cache,
-            vk::GraphicsPipelineCreateInfo{.pNext = &formats,
-                                           .stageCount = static_cast<std::uint32_t>(stages.size()),
-                                           .pStages = stages.data(),
-                                           .pVertexInputState = &no_vertex_input,
-                                           .pInputAssemblyState = &triangles,
-                                           .pViewportState = &viewport,
-                                           .pRasterizationState = &rasterization,
-                                           .pMultisampleState = &one_sample,
-                                           .pDepthStencilState = &depth,
-                                           .pColorBlendState = &blend,
-                                           .pDynamicState = &dynamic,
-                                           .layout = *device.pipeline_layout}};
+            vk::GraphicsPipelineCreateInfo{
+                .pNext = &formats,
+                .stageCount = static_cast<std::uint32_t>(stages.size()),
+                .pStages = stages.data(),
+                .pVertexInputState = &no_vertex_input,
+                .pInputAssemblyState = &input,
+                .pTessellationState = assembly.primitives == Primitives::kPatchesToLines ? &one_point : nullptr,
+                .pViewportState = &viewport,
+                .pRasterizationState = &rasterization,
+                .pMultisampleState = &one_sample,
+                .pDepthStencilState = &depth,
+                .pColorBlendState = &blend,
+                .pDynamicState = &dynamic,
+                .layout = *device.pipeline_layout}};
 }
 
 }  // namespace
 
-GraphicsPipeline::GraphicsPipeline(Device& device, const Shader& vertex, const Shader& fragment,
-                                   std::span<const std::uint32_t> constants, Faces faces)
+GraphicsPipeline::GraphicsPipeline(Device& device, std::span<const StageShader> stages,
+                                   std::span<const std::uint32_t> constants, const Assembly& assembly)
     : impl_(std::make_unique<Impl>()) {
     const Device::Impl& owner = device.impl();
-    impl_->shader_name = fragment.name;
+    impl_->shader_name = stages.back().shader.name;
     if (!owner.has(Feature::kRaster)) {
         throw Error(Code::kUnsupported, "shader '" + impl_->shader_name + "' draws; this device does not (feature raster)");
     }
+    if (assembly.primitives != Primitives::kTriangles && !owner.has(Feature::kLines)) {
+        throw Error(Code::kUnsupported,
+                    "shader '" + impl_->shader_name + "' draws lines; this device does not (feature lines)");
+    }
     const Specialisation specialisation(constants);
     try {
-        const vk::raii::ShaderModule vertex_module = makeModule(owner, vertex), fragment_module = makeModule(owner, fragment);
-        const std::array stages{vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eVertex,
-                                                                  .module = *vertex_module,
-                                                                  .pName = "main",
-                                                                  .pSpecializationInfo = &specialisation.info},
-                                vk::PipelineShaderStageCreateInfo{.stage = vk::ShaderStageFlagBits::eFragment,
-                                                                  .module = *fragment_module,
-                                                                  .pName = "main",
-                                                                  .pSpecializationInfo = &specialisation.info}};
-        impl_->pipeline = makePipeline(owner, stages, faces);
+        std::vector<vk::raii::ShaderModule> modules;
+        std::vector<vk::PipelineShaderStageCreateInfo> infos;
+        for (const StageShader& each : stages) {
+            modules.push_back(makeModule(owner, each.shader));
+            infos.push_back({.stage = flagOf(each.stage),
+                             .module = *modules.back(),
+                             .pName = "main",
+                             .pSpecializationInfo = &specialisation.info});
+        }
+        impl_->pipeline = makePipeline(owner, infos, assembly);
         owner.nameObject(impl_->pipeline, impl_->shader_name);
     } catch (const vk::SystemError& error) {
         throw toError(error, "making the pipeline of shader '" + impl_->shader_name + "'");

@@ -1,5 +1,5 @@
-// Pipelines that draw triangles into a RasterTarget. As with compute, their whole interface is one block of push constants:
-// vertices are fetched from buffers by address, and there are no descriptor sets.
+// Pipelines that draw triangles or lines into a RasterTarget. As with compute, their whole interface is one block of push
+// constants: vertices are fetched from buffers by address, and there are no descriptor sets.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,32 @@
 namespace radiata::gpu {
 
 enum class Faces { kAll, kBack };  ///< back: those whose corners run clockwise as seen
+enum class ShaderStage { kVertex, kGeometry, kTessellationControl, kTessellationEvaluation, kTask, kMesh, kFragment };
+/// What comes in; kPatches: one control point each. Of task and mesh shaders, and of geometry shaders, what goes out counts,
+/// and `kLines` says that it is lines.
+enum class Primitives { kTriangles, kLines, kLineStrips, kPointsToLines, kPatchesToLines };
+
+struct StageShader {
+    ShaderStage stage;
+    Shader shader;
+};
+
+/// How what the shaders make is rasterised.
+struct Assembly {
+    Primitives primitives = Primitives::kTriangles;
+    Faces faces = Faces::kAll;  ///< of triangles
+    float line_width = 1;       ///< pixels; lines have one fragment for each pixel along their longer axis, replicated across
+};
 
 /// The greater depth wins, the earlier of equal ones. What is written as depth is from 0 (excluded) to 1.
 class GraphicsPipeline {
 public:
     GraphicsPipeline();
-    /// \param constants  specialisation constants of both stages; constants[i] has constant_id i
+    /// \param stages     in their order, the fragment shader last
+    /// \param constants  specialisation constants of all stages; constants[i] has constant_id i
     /// \throws Error(kUnsupported or kInternal) naming the fragment shader
-    GraphicsPipeline(Device& device, const Shader& vertex, const Shader& fragment, std::span<const std::uint32_t> constants,
-                     Faces faces);
+    GraphicsPipeline(Device& device, std::span<const StageShader> stages, std::span<const std::uint32_t> constants,
+                     const Assembly& assembly);
     ~GraphicsPipeline();
     GraphicsPipeline(GraphicsPipeline&&) noexcept;
     GraphicsPipeline& operator=(GraphicsPipeline&&) noexcept;

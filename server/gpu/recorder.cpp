@@ -103,7 +103,7 @@ std::uint32_t CommandRecorder::Impl::startPass(const void* push, std::size_t pus
     std::memcpy(bytes.data(), push, push_size);
     const std::size_t whole_words = (push_size + 3) / 4 * 4;
     barrierBeforeWork(commands);
-    commands.pushConstants<std::byte>(*device.pipeline_layout, Device::Impl::kPushStages, 0,
+    commands.pushConstants<std::byte>(*device.pipeline_layout, device.push_stages, 0,
                                       {static_cast<std::uint32_t>(whole_words), bytes.data()});
     const auto query = static_cast<std::uint32_t>(2 * timed.size());
     commands.writeTimestamp2(Stage::eAllCommands, *queries, query);

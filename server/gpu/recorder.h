@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "gpu/buffer.h"
@@ -27,6 +28,22 @@ struct DrawRange {
     std::uint32_t first_row = 0;
     std::uint32_t rows = 0;
 };
+
+/// Draws without indices, where the whole target is.
+struct VertexDraw {
+    std::uint32_t first_vertex = 0, vertices = 0, first_instance = 0, instances = 1;
+};
+/// Draws that stand in a buffer as VkDrawIndirectCommand, without gaps.
+struct IndirectDraw {
+    const Buffer* commands = nullptr;
+    std::uint64_t offset_bytes = 0;
+    std::uint32_t count = 0;
+};
+/// Workgroups of a task shader, or of a mesh shader without one.
+struct MeshDraw {
+    std::uint32_t groups = 0;
+};
+using LineDraw = std::variant<VertexDraw, IndirectDraw, MeshDraw>;
 
 /// Not thread-safe; one per thread of work, reused from frame to frame.
 class CommandRecorder {
@@ -55,6 +72,14 @@ public:
         static_assert(sizeof(Push) <= 128);
         drawBytes(pipeline, pass, target, range, &push, sizeof(Push));
     }
+    template <typename Push>
+    void drawLines(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target, const LineDraw& what,
+                   const Push& push) {
+        static_assert(sizeof(Push) <= 128);
+        drawLineBytes(pipeline, pass, target, what, &push, sizeof(Push));
+    }
+    /// Goes on drawing where copy() was the last that was done with a target.
+    void resume(RasterTarget& target);
     /// Both images of a target, row by row without gaps. \param words  16 bytes a pixel \param depth  float, 4 bytes a pixel
     void copy(RasterTarget& source, const Buffer& words, const Buffer& depth);
     void copy(const Buffer& source, std::uint64_t source_offset, const Buffer& target, std::uint64_t target_offset,
@@ -74,6 +99,8 @@ private:
                        std::uint32_t groups_z, const void* push, std::size_t push_size);
     void drawBytes(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target, const DrawRange& range,
                    const void* push, std::size_t push_size);
+    void drawLineBytes(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target, const LineDraw& what,
+                       const void* push, std::size_t push_size);
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

@@ -87,6 +87,52 @@ void CommandRecorder::drawBytes(const GraphicsPipeline& pipeline, const std::str
     }
 }
 
+void CommandRecorder::drawLineBytes(const GraphicsPipeline& pipeline, const std::string& pass, RasterTarget& target,
+                                    const LineDraw& what, const void* push, std::size_t push_size) {
+    RasterTarget::Impl& into = target.impl();
+    if (!into.drawable) throw Error(Code::kInternal, "pass '" + pass + "' draws into a raster target that was not cleared");
+    const auto* indirect = std::get_if<IndirectDraw>(&what);
+    if (indirect) {
+        checkRange(*indirect->commands, indirect->offset_bytes, std::uint64_t{indirect->count} * sizeof(VkDrawIndirectCommand),
+                   "drawing from");
+    }
+    try {
+        const std::uint32_t query = impl_->startPass(push, push_size);
+        const vk::raii::CommandBuffer& commands = impl_->commands;
+        beginRendering(commands, into, vk::AttachmentLoadOp::eLoad);
+        commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.impl().pipeline);
+        commands.setViewport(0, vk::Viewport{.width = static_cast<float>(into.width),
+                                             .height = static_cast<float>(into.height),
+                                             .minDepth = 0,
+                                             .maxDepth = 1});
+        commands.setScissor(0, vk::Rect2D{.extent = {into.width, into.height}});
+        if (const auto* vertices = std::get_if<VertexDraw>(&what)) {
+            commands.draw(vertices->vertices, vertices->instances, vertices->first_vertex, vertices->first_instance);
+        } else if (indirect) {
+            commands.drawIndirect(*indirect->commands->impl().buffer, indirect->offset_bytes, indirect->count,
+                                  sizeof(VkDrawIndirectCommand));
+        } else {
+            commands.drawMeshTasksEXT(std::get<MeshDraw>(what).groups, 1, 1);
+        }
+        commands.endRendering();
+        impl_->endPass(query, pass, pipeline.shaderName());
+    } catch (const vk::SystemError& error) {
+        throw toError(error, "recording pass '" + pass + "'");
+    }
+}
+
+void CommandRecorder::resume(RasterTarget& target) {
+    if (target.impl().drawable) return;
+    try {
+        impl_->begin();
+        barrierBeforeWork(impl_->commands);
+        moveLayouts(impl_->commands, target.impl(), Layout::eTransferSrcOptimal, Layout::eAttachmentOptimal);
+        target.impl().drawable = true;
+    } catch (const vk::SystemError& error) {
+        throw toError(error, "recording that drawing goes on");
+    }
+}
+
 void CommandRecorder::copy(RasterTarget& source, const Buffer& words, const Buffer& depth) {
     RasterTarget::Impl& from = source.impl();
     if (!from.drawable) throw Error(Code::kInternal, "copying from a raster target that was not cleared");

@@ -37,9 +37,11 @@ struct Quality {
     PolynomialSettings polynomial;  ///< of the methods by polynomials
     RayMarchSettings ray_march;     ///< of the marches with equal steps
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
-    FibletPipeline fiblet_pipeline = FibletPipeline::kAtomic;
+    FibletPipeline fiblet_pipeline = FibletPipeline::kAuto;
     FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
-    std::optional<Camera> frozen_culling;  ///< fibres are drawn that two phases see from here, in a picture of the same size
+    std::optional<Camera> frozen_culling;   ///< fibres are drawn that two phases see from here, in a picture of the same size
+    bool fxaa = false;                      ///< pictures of one sample have their edges smoothed
+    std::optional<float> fiblet_detail_px;  ///< that lines may be off, to be fewer; none: every segment is drawn
     IsosurfaceSettings isosurface;
     int jpeg_quality = 90;
     bool operator==(const Quality&) const = default;
@@ -88,6 +90,9 @@ struct FrameInfo {
     std::uint64_t glyphs_available = 0;
     std::uint64_t hit_pixels = 0;
     std::uint64_t capped_rays = 0;
+    std::uint64_t fiblets = 0;        ///< of all layers of fibres
+    std::uint64_t fiblets_drawn = 0;  ///< of the latest sample
+    double fiblet_error_px = 0;       ///< bound on how far simplified lines are off; 0: there are none
     double depth_offset_mm = 0;
     glm::dvec3 position_origin_mm{0};
     std::string device;

@@ -249,12 +249,14 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     }
     markFirst(plan.passes);
     planVeil(plan);
+    planPeels(plan);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);
     planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
+    if (plan.resolved.quality.fxaa) plan.passes.push_back({PassKind::kFxaa, "fxaa", "fxaa", -1});
     return plan;
 }
 

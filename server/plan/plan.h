@@ -22,7 +22,12 @@ struct Abilities {
     bool software = false;  ///< a CPU rasteriser
     bool raster = false;    ///< draws triangles
     bool int64_atomics = false;
-    bool float64 = false;  ///< shaders in double precision
+    bool lines = false;  ///< the device's rasteriser draws lines of pixels, up to line_width_max across
+    float line_width_max = 1;
+    bool mesh_shader = false, mesh_subgroups = false;
+    bool geometry_shader = false, tessellation_shader = false;
+    std::uint32_t failed_pipelines = 0;  ///< bit 1 << model::FibletPipeline for each that failed its self-test
+    bool float64 = false;                ///< shaders in double precision
 };
 
 /// What is known about one layer of the request before drawing it.
@@ -42,6 +47,7 @@ struct LayerFacts {
     double voxel_edge_mm = 0;               ///< the shortest
     double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
     std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
+    bool segments_filtered = false;         ///< single segments of them are left out
     std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
@@ -76,6 +82,7 @@ enum class PassKind {
     kRasterSurface,    ///< what was drawn, into the surface buffer
     kFiblets,          ///< culls, draws and hands on a layer of fibres
     kClear,            ///< an empty surface buffer, where no pass writes all of it
+    kFibletPeels,      ///< a transparent layer of fibres, segment by segment from the front, over the surface buffer
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceMesh,   ///< the same by its triangles
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
@@ -85,7 +92,8 @@ enum class PassKind {
     kShadow,
     kOcclusion,
     kLight,
-    kResolve
+    kResolve,
+    kFxaa  ///< smooths a resolved picture of one sample
 };
 
 /// One pass, in order of execution.
@@ -115,8 +123,12 @@ struct FramePlan {
     std::string pole_table_reason;
     bool uses_pole_table = false;
 
+    bool usesPeels() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kFibletPeels; });
+    }
     bool usesVeil() const {
-        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+        return usesPeels() ||
+               std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
     }
     bool usesPathTracing() const {
         return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kPixelPaths; });

@@ -25,6 +25,7 @@ model::VoxelSelection fromProto(const v1::VoxelSelection& selection, const std::
 ColourMap fromProto(v1::ColourMap map, const std::string& where);
 model::TractogramLayer fromProto(const v1::TractogramLayer& layer, const std::string& where);
 model::FibletCulling cullingOf(v1::FibletCulling culling);
+model::FibletPipeline pipelineOf(v1::FibletPipeline pipeline);
 model::GlyphColour fromProto(const v1::GlyphColour& colour, const std::string& where);
 model::Convention fromProto(v1::Annotations::Convention convention, const std::string& where);
 model::Light fromProto(const v1::Light& light, const std::string& where);
@@ -49,6 +50,7 @@ v1::Camera toProto(const model::Camera& camera);
 v1::ColourMap toProto(ColourMap map);
 v1::TractogramLayer toProto(const model::TractogramLayer& layer);
 v1::FibletCulling cullingOf(model::FibletCulling culling);
+v1::FibletPipeline pipelineOf(model::FibletPipeline pipeline);
 v1::GlyphColour toProto(const model::GlyphColour& colour);
 v1::Light toProto(const model::Light& light);
 v1::Uncertainty toProto(const model::Uncertainty& uncertainty);

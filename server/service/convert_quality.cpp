@@ -86,8 +86,10 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     checkEnum(quality.fiblet_pipeline(), v1::FibletPipeline_IsValid, v1::FibletPipeline_MAX, where + ".fiblet_pipeline");
     checkEnum(quality.fiblet_culling(), v1::FibletCulling_IsValid, v1::FibletCulling_MAX, where + ".fiblet_culling");
     model::Quality result;
+    result.fiblet_pipeline = pipelineOf(quality.fiblet_pipeline());
     result.fiblet_culling = cullingOf(quality.fiblet_culling());
     if (quality.has_frozen_culling()) result.frozen_culling = fromProto(quality.frozen_culling(), where + ".frozen_culling");
+    if (quality.has_fiblet_detail_px()) result.fiblet_detail_px = quality.fiblet_detail_px();
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     result.intersection = methodOf(quality.intersection());
@@ -100,6 +102,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     if (quality.ray_march().has_refinements()) {
         result.ray_march.refinements = toInt(quality.ray_march().refinements(), where + ".ray_march.refinements");
     }
+    result.fxaa = quality.fxaa();
     if (quality.glyph_boxes() == v1::GLYPH_BOXES_CYLINDER) result.glyph_boxes = model::GlyphBoxes::kCylinder;
     switch (quality.traversal()) {
         case v1::TRAVERSAL_RAY_QUERY:
@@ -127,9 +130,11 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
 v1::Quality toProto(const model::Quality& quality) {
     v1::Quality message;
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
-    message.set_fiblet_pipeline(v1::FIBLET_PIPELINE_ATOMIC);
+    message.set_fiblet_pipeline(pipelineOf(quality.fiblet_pipeline));
     message.set_fiblet_culling(cullingOf(quality.fiblet_culling));
+    message.set_fxaa(quality.fxaa);
     if (quality.frozen_culling) *message.mutable_frozen_culling() = toProto(*quality.frozen_culling);
+    if (quality.fiblet_detail_px) message.set_fiblet_detail_px(*quality.fiblet_detail_px);
     *message.mutable_isosurface() = toProto(quality.isosurface);
     message.set_jpeg_quality(static_cast<std::uint32_t>(quality.jpeg_quality));
     message.set_intersection(methodOf(quality.intersection));

@@ -12,6 +12,7 @@
 layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: those seen last; 2: the others, if not hidden
 layout(constant_id = 2) const float kMargin = 0.0;  // pixels beside a line
 layout(constant_id = 3) const bool kTubes = false;
+layout(constant_id = 4) const bool kSegments = false;  // fiblets none of whose segments is shown are left out
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -21,6 +22,20 @@ layout(push_constant, scalar) uniform Push {
 
 bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
     return fibletVisible(layer, low, high, kMargin, kTubes ? layer.view.tube_radius : 0.0, kPhase == 2u);
+}
+
+// Whether the depths hide all pieces of a box's diagonal with what is about them; a box alone reaches over many more pixels, and nearer.
+bool hiddenAlong(FibletLayerParams layer, FibletBox box, vec3 low, vec3 high) {
+    const uint kPieces = 8u;
+    vec3 from, to;
+    float radius;
+    if (!fibletDiagonal(box, low, high, from, to, radius)) return false;
+    const float grown = kTubes ? layer.view.tube_radius : 0.0;
+    for (uint i = 0u; i < kPieces; ++i) {
+        const vec3 a = mix(from, to, float(i) / float(kPieces)), b = mix(from, to, float(i + 1u) / float(kPieces));
+        if (fibletVisible(layer, min(a, b) - radius, max(a, b) + radius, kMargin, grown, true)) return false;
+    }
+    return true;
 }
 
 void main() {
@@ -37,7 +52,8 @@ void main() {
         const bool seen_last = (UintBuffer(layer.visible).at[fiblet >> 5u] >> (fiblet & 31u) & 1u) != 0u;
         if (seen_last != (kPhase == 1u)) return;
     }
+    if (kSegments && WordBuffer(layer.segments).at[fiblet] == 0ul) return;
     vec3 low, high;
     fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
-    if (visible(layer, low, high)) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
+    if (visible(layer, low, high) && !(kPhase == 2u && hiddenAlong(layer, BoxBuffer(layer.boxes).at[fiblet], low, high))) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
 }

@@ -10,13 +10,21 @@
 #include "shaders/fiblet/walk.glsl"
 #include "shaders/common/fibre_directions.glsl"
 #include "shaders/common/capsule.glsl"
+#include "shaders/common/fiblet_detail.glsl"
 
 layout(constant_id = 1) const bool kListed = false;  // fiblets of the list; else all in their order
 layout(constant_id = 2) const uint kCuts = 0u;
 layout(constant_id = 3) const bool kTubes = false;   // selected fibres as capsules
 layout(constant_id = 4) const bool kLines = true;    // the others as lines
 layout(constant_id = 5) const bool kSelection = false;  // fibres have states
+layout(constant_id = 7) const bool kSegments = false;     // single segments are left out
+layout(constant_id = 8) const bool kExactWidth = false;   // lines have their width across, not along a column or row
+layout(constant_id = 9) const bool kPeel = false;         // only what lies behind the segment composed last
+layout(constant_id = 10) const bool kCounting = false;    // segments before what is opaque are counted
+layout(constant_id = 11) const bool kFinding = false;     // fibres in an outline are noted, nothing is drawn
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
+layout(constant_id = 12) const uint kDetail = 0u;        // segments that may become one line; 0: none do
+layout(constant_id = 13) const bool kSmallAsLines = false;  // fiblets of a few pixels are lines from end to end
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -25,19 +33,33 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 FibletView view;
-WordBuffer words, tangents;
+WordBuffer words, tangents, peeled;
+UintBuffer fragments, inside, found;
+uint fibre;
+uint64_t shown = 0ul;  // bit i: segment i is
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, uint direction) {
+    if (kFinding) {
+        const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
+        if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
+        return;
+    }
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
+    if (kPeel && word <= peeled.at[pixel]) return;
+    if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
     if (words.at[pixel] < word) return;
     if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
 }
 
+void noteError(FibletLayerParams layer, float error) {
+    if (error > 0.0) atomicMax(CountsBuffer(layer.counts).counts.error_px, floatBitsToUint(error));
+}
 
-// \param a, b  eye points of the ends, clipped to the near plane
-void drawLine(vec4 a, vec4 b, uint who, uint direction) {
+// \param a, b   eye points of the ends, clipped to the near plane \param count  segments from `who` on that the line stands for
+// \param share  of the line that was drawn, from end to end
+void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, uint direction) {
     const vec2 pixel_a = fibletPixel(view, a), pixel_b = fibletPixel(view, b);
     const vec2 along = pixel_b - pixel_a;
     const bool columns = abs(along.x) >= abs(along.y);
@@ -49,6 +71,9 @@ void drawLine(vec4 a, vec4 b, uint who, uint direction) {
     const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const int begin = max(int(ceil(low - 0.5)), origin.x), end = min(int(ceil(high - 0.5)), origin.x + size.x);
     const int width = int(view.line_width);
+    // Half of what a strip of the line's width takes of a column that it crosses at a slant.
+    const float slope = (to.y - from.y) / max(abs(to.x - from.x), 1e-6);
+    const float half_strip = 0.5 * view.line_width * sqrt(1.0 + slope * slope);
     for (int i = begin; i < end; ++i) {
         const float share = clamp((float(i) + 0.5 - from.x) / (to.x - from.x), 0.0, 1.0);
         const float across = from.y + share * (to.y - from.y);
@@ -56,10 +81,16 @@ void drawLine(vec4 a, vec4 b, uint who, uint direction) {
         const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
         const float depth = a.z + s * (b.z - a.z);
         if (depth > view.far_depth || !(abs(across) < 1e6)) continue;
-        const int first = int(floor(across - 0.5 * float(width - 1))) - origin.y;
-        for (int j = max(first, 0); j < min(first + width, size.y); ++j) {
+        uint here = who;
+        if (kDetail != 0u || kSmallAsLines) here += min(uint(mix(shares.x, shares.y, s) * float(count)), count - 1u);
+        int first = int(floor(across - 0.5 * float(width - 1))) - origin.y, past = first + width;
+        if (kExactWidth) {
+            first = int(ceil(across - half_strip - 0.5)) - origin.y;
+            past = int(ceil(across + half_strip - 0.5)) - origin.y;
+        }
+        for (int j = max(first, 0); j < min(past, size.y); ++j) {
             const ivec2 at = columns ? ivec2(i - origin.x, j) : ivec2(j, i - origin.x);
-            mark(uint(at.y * view.width + at.x), depth, who, direction);
+            mark(uint(at.y * view.width + at.x), depth, here, direction);
         }
     }
 }
@@ -82,28 +113,106 @@ void drawTube(vec3 p, vec3 along, uint who) {
     }
 }
 
-// Cuts the segment to depths from the near plane on. \return  false: nothing is left
-bool clipToNear(inout vec4 a, inout vec4 b) {
+// Cuts the segment to depths from the near plane on. \param shares  of the whole line at a and b \return  false: nothing is left
+bool clipToNear(inout vec4 a, inout vec4 b, inout vec2 shares) {
     if (min(a.z, b.z) >= view.near_depth) return true;
     if (!(max(a.z, b.z) >= view.near_depth)) return false;
-    const vec4 crossing = mix(a, b, (view.near_depth - a.z) / (b.z - a.z));
-    if (a.z < view.near_depth) a = crossing;
-    else b = crossing;
+    const float at = (view.near_depth - a.z) / (b.z - a.z), share = mix(shares.x, shares.y, at);
+    const vec4 crossing = mix(a, b, at);
+    if (a.z < view.near_depth) {
+        a = crossing;
+        shares.x = share;
+    } else {
+        b = crossing;
+        shares.y = share;
+    }
     return true;
 }
 
 // Cuts the segment to the layer's half spaces. \return  false: nothing is left
-bool cutSegment(FibletLayerParams layer, inout vec3 a, inout vec3 b) {
+bool cutSegment(FibletLayerParams layer, inout vec3 a, inout vec3 b, inout vec2 shares) {
     for (uint i = 0u; i < kCuts; ++i) {
         const float out_a = dot(layer.cuts[i].normal, a) - layer.cuts[i].offset;
         const float out_b = dot(layer.cuts[i].normal, b) - layer.cuts[i].offset;
         if (out_a > 0.0 && out_b > 0.0) return false;
         if (out_a > 0.0 || out_b > 0.0) {
-            const vec3 crossing = mix(a, b, out_a / (out_a - out_b));
-            if (out_a > 0.0) a = crossing;
-            else b = crossing;
+            const float at = out_a / (out_a - out_b), share = mix(shares.x, shares.y, at);
+            const vec3 crossing = mix(a, b, at);
+            if (out_a > 0.0) {
+                a = crossing;
+                shares.x = share;
+            } else {
+                b = crossing;
+                shares.y = share;
+            }
         }
     }
+    return true;
+}
+
+// A line for `count` segments from `who` on. \param a, b  ends, from the fiblets' origin
+void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_b, uint who, uint count, bool tube, bool line) {
+    const vec3 way = b - a;
+    vec2 shares = vec2(0.0, 1.0);
+    if (kCuts != 0u) {
+        if (!cutSegment(layer, a, b, shares)) return;
+        eye_a = fibletEyePoint(view, a);
+        eye_b = fibletEyePoint(view, b);
+    }
+    if (kTubes && tube) drawTube(a, b - a, who);
+    if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, packLine(way));
+}
+
+// Segment by segment, those that are shown.
+void drawWalk(FibletLayerParams layer, inout FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
+    vec3 here = walk.pen.point;
+    vec4 eye_here = fibletEyePoint(view, here);
+    for (uint segment = first; segment < end; ++segment) {
+        stepWalk(layer, walk, segment);
+        const vec3 next = walk.pen.point;
+        const vec4 eye_next = fibletEyePoint(view, next);
+        if (!kSegments || (shown >> segment & 1ul) != 0ul) drawSegments(layer, here, next, eye_here, eye_next, fiblet << FIBLET_SEGMENT_BITS | segment, 1u, tube, line);
+        here = next;
+        eye_here = eye_next;
+    }
+}
+
+// Groups of segments as one line each where that is within the bound.
+void drawDetail(FibletLayerParams layer, inout FibletWalk walk, uint fiblet) {
+    float worst = 0.0;
+    for (uint first = 0u; first < walk.segments; first += kDetail) {
+        const uint end = min(first + kDetail, walk.segments);
+        const FibletPen before = walk.pen;
+        for (uint segment = first; segment < end; ++segment) stepWalk(layer, walk, segment);
+        const vec3 a = before.point, b = walk.pen.point;
+        const vec4 eye_a = fibletEyePoint(view, a), eye_b = fibletEyePoint(view, b);
+        const float error = fibletChordError(view, eye_a, eye_b, float(end - first) * layer.codec.step_mm, distance(a, b), 0.0);
+        if (error <= layer.detail_px) {
+            worst = max(worst, error);
+            drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS | first, end - first, false, true);
+        } else {
+            walk.pen = before;
+            drawWalk(layer, walk, first, end, fiblet, false, true);
+        }
+    }
+    noteError(layer, worst);
+}
+
+// A whole fiblet without decoding it. \return  false: it has to be decoded
+bool drawAsLine(FibletLayerParams layer, FibletWalk walk, uint fiblet) {
+    const uint next = UintBuffer(layer.next).at[fiblet];
+    if (next == FIBLET_NOBODY) return false;
+    const vec3 a = walk.pen.point, b = fibletStart(HeadBuffer(layer.heads).at[next], layer.codec.cell_mm);
+    const vec4 eye_a = fibletEyePoint(view, a), eye_b = fibletEyePoint(view, b);
+    const float reach = float(walk.segments) * layer.codec.step_mm;
+    const bool small = kSmallAsLines && fibletIsSmall(view, eye_a, reach);
+    if (!small) {
+        if (kDetail == 0u) return false;
+        const float error = fibletChordError(view, eye_a, eye_b, reach, distance(a, b), layer.end_slack);
+        if (!(error <= layer.detail_px)) return false;
+        noteError(layer, error);
+    }
+    drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS, walk.segments, false, true);
     return true;
 }
 
@@ -115,7 +224,14 @@ void main() {
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
+    if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
+    if (kCounting) fragments = UintBuffer(layer.fragments);
     FibletWalk walk = beginWalk(layer, fiblet);
+    fibre = walk.fibre;
+    if (kFinding) {
+        inside = UintBuffer(layer.inside);
+        found = UintBuffer(layer.found);
+    }
     bool tube = kTubes, line = kLines;
     if (kSelection) {
         const uint state = fibreState(layer, walk.fibre);
@@ -125,24 +241,18 @@ void main() {
             line = kLines && !tube;
         }
     }
-    vec3 here = walk.pen.point;
-    vec4 eye_here = fibletEyePoint(view, here);
-    for (uint segment = 0u; segment < walk.segments; ++segment) {
-        stepWalk(layer, walk, segment);
-        const vec3 next = walk.pen.point;
-        const vec4 eye_next = fibletEyePoint(view, next);
-        const uint who = fiblet << FIBLET_SEGMENT_BITS | segment;
-        vec3 a = here, b = next;
-        if (kCuts == 0u || cutSegment(layer, a, b)) {
-            if (kTubes && tube) drawTube(a, b - a, who);
-            if (kLines && line) {
-                vec4 eye_a = kCuts == 0u ? eye_here : fibletEyePoint(view, a);
-                vec4 eye_b = kCuts == 0u ? eye_next : fibletEyePoint(view, b);
-                const vec3 way = next - here;
-                if (clipToNear(eye_a, eye_b)) drawLine(eye_a, eye_b, who, packLine(way));
-            }
-        }
-        here = next;
-        eye_here = eye_next;
+    if (kSegments) {
+        shown = WordBuffer(layer.segments).at[fiblet];
+        if (shown == 0ul) return;
     }
+    // What stands for many segments stands for all of them.
+    const bool whole = !kSegments || (shown & (1ul << walk.segments) - 1ul) == (1ul << walk.segments) - 1ul;
+    if ((kDetail != 0u || kSmallAsLines) && line && !tube && whole) {
+        if (drawAsLine(layer, walk, fiblet)) return;
+        if (kDetail != 0u) {
+            drawDetail(layer, walk, fiblet);
+            return;
+        }
+    }
+    drawWalk(layer, walk, 0u, walk.segments, fiblet, tube, line);
 }

@@ -47,6 +47,8 @@ struct FibletPage {
 STATIC_SIZE(FibletPage, 32);
 
 // Box of a fiblet's decoded points: each corner three times 10 bits, x lowest, in steps of 1 / FIBLET_BOX_STEPS of its page's box, rounded outwards.
+// The upper 2 bits of `low` choose a diagonal of the box, from its lower end in x on: bit 0 that it falls in y, bit 1 that it falls in z.
+// With the upper 2 bits of `high` as n, all points are within 2^-(n + 2) of its length from it; n = 0: nothing is known.
 // Made when a set is loaded; not part of the file.
 struct FibletBox {
     uint low;

@@ -63,6 +63,11 @@ struct FibletLayerParams {
     uint64_t codes;       // uint[]
     uint64_t boxes;       // FibletBox[fiblets]
     uint64_t states;      // FIBRE_SHOWN, ... of each fibre, four bytes to a word; 0: all are shown
+    uint64_t segments;    // uint64_t[fiblets]: bit i says that segment i is shown; 0: all are
+    uint64_t peeled;      // uint64_t[pixels]: of transparent layers, the word that was composed last; before the first, what is opaque
+    uint64_t fragments;   // uint[pixels]: of transparent layers while moving, segments before what is opaque
+    uint64_t inside;      // one bit per pixel: it counts for what is found
+    uint64_t found;       // one bit per fibre: it is drawn through such a pixel
     uint64_t words;       // uint64_t[pixels]: order of depths << 32 | who
     uint64_t tangents;    // uint64_t[pixels]: direction << 32 | who
     uint64_t visible;     // one bit per fiblet: won a pixel of the latest picture
@@ -74,17 +79,36 @@ struct FibletLayerParams {
     uint page_count;
     uint layer;
     uint pyramid_levels;
+    uint64_t next;    // uint[fiblets]: that goes on along the fibre, or FIBLET_NOBODY; 0: nobody looks at it
+    float detail_px;  // pixels that lines may be off
+    float end_slack;  // mm that a fiblet's end may be from the start of the next
 };
-STATIC_SIZE(FibletLayerParams, 392);
+STATIC_SIZE(FibletLayerParams, 448);
+
+// A decoded fiblet on its way to the rasteriser.
+struct FibletSlot {
+    uint fiblet;
+    uint segments;
+    vec4 eye[64];  // points as fibletEyePoint() has them; segments + 1 are set
+};
+STATIC_SIZE(FibletSlot, 1032);
+
+// A point of a fibre without compression. Of the last point of a fibre `who` is that of the point before.
+struct FibreVertex {
+    vec3 point;  // from the fiblets' origin, mm
+    uint who;    // the segment that begins here
+};
+STATIC_SIZE(FibreVertex, 16);
 
 // Written by the device.
 struct FibletCounts {
     uint listed;    // fiblets in the list
     uint pages;     // that were looked into
     uint repaired;  // pixels whose tangent another fiblet had overwritten
-    uint pad;
+    uint more;      // pixels of a transparent layer that show what is behind the segment composed last
+    uint error_px;  // bits of a float: largest bound on how far a simplified line is off
 };
-STATIC_SIZE(FibletCounts, 16);
+STATIC_SIZE(FibletCounts, 20);
 
 SHADER_NAMESPACE_END
 #endif

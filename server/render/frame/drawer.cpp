@@ -52,6 +52,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runRasterSurface(pass_run, pass);
         case plan::PassKind::kFiblets:
             return runFiblets(pass_run, pass, fiblet_pace_);
+        case plan::PassKind::kFibletPeels:
+            return runFibletPeels(pass_run, pass, fiblet_pace_);
         case plan::PassKind::kClear:
             return runClear(pass_run, pass);
         case plan::PassKind::kIsosurfaceTrace:
@@ -67,6 +69,7 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
+        case plan::PassKind::kFxaa:
             return;  // after the last sample, by resolve()
     }
 }
@@ -77,6 +80,7 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
             target.samples = 0;
             target.settled = false;
             target.path_seconds = 0;
+            target.approximate = false;
             target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillIsosurfaceParameters(device_, target, list);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "gpu/device.h"
+#include "render/frame/fiblet_coverage.h"
 #include "render/frame/target.h"
 
 namespace radiata::render {
@@ -19,9 +21,22 @@ std::vector<std::uint32_t> levelOffsets(glm::ivec2 size, std::uint32_t& words) {
     return offsets;
 }
 
+std::vector<std::uint32_t> nextFiblets(const model::FibletSet& set) {
+    std::vector<std::uint32_t> next(std::max<std::size_t>(set.heads.size(), 1), shader::FIBLET_NOBODY);
+    for (std::size_t fibre = 0; fibre < set.fibres(); ++fibre) {
+        for (std::uint32_t i = set.fibre_first[fibre]; i + 1 < set.fibre_first[fibre + 1]; ++i) {
+            next[set.fibre_fiblets[i]] = set.fibre_fiblets[i + 1];
+        }
+    }
+    return next;
+}
+
 }  // namespace
 
-void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled) {
+FibletBuffers::FibletBuffers() = default;
+FibletBuffers::~FibletBuffers() = default;
+
+void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled, bool ends) {
     static_assert(sizeof(shader::FibletLayerParams) <= kCountsOffset);
     const std::uint64_t pixels = static_cast<std::uint64_t>(size.x) * static_cast<std::uint64_t>(size.y);
     const std::uint64_t fiblets = std::max<std::uint64_t>(scene.fibletCount(), 1);
@@ -31,6 +46,13 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     ensureBytes(device, list, 4 * std::max(culled ? fiblets : 0, pixels), gpu::Memory::kDevice, "fiblet list");
     if (scene_serial != scene.serial()) knows_visible = false;
     scene_serial = scene.serial();
+    if (!ends) next = gpu::Buffer();
+    if (ends && (!next || next_serial_ != scene.serial())) {
+        const std::vector<std::uint32_t> indices = nextFiblets(scene.set());
+        ensureBytes(device, next, 4 * indices.size(), gpu::Memory::kDevice, "next fiblets");
+        gpu::upload(device, next, 0, std::as_bytes(std::span(indices)));
+        next_serial_ = scene.serial();
+    }
     if (!culled) return;
     ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
     ensureBytes(device, page_order, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kUpload,
@@ -41,6 +63,14 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
         ensureBytes(device, pyramid, 4 * std::uint64_t{std::max(pyramid_words, 1U)}, gpu::Memory::kDevice, "depth pyramid");
         size_ = size;
     }
+}
+
+void FibletBuffers::preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted) {
+    ensureBytes(device, peeled, 8 * pixels, gpu::Memory::kDevice, "peeled words");
+    layer().peeled = peeled.address();
+    if (!counted) return;
+    ensureBytes(device, fragments, 4 * pixels, gpu::Memory::kDevice, "fragments");
+    layer().fragments = fragments.address();
 }
 
 void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
@@ -61,6 +91,7 @@ void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& vie
     if (visible) layer.visible = visible.address();
     if (page_order) layer.page_order = page_order.address();
     if (pyramid) layer.pyramid = pyramid.address();
+    if (next) layer.next = next.address();
     layer.counts = params.address() + kCountsOffset;
     layer.fiblet_count = static_cast<std::uint32_t>(scene.fibletCount());
     layer.page_count = static_cast<std::uint32_t>(scene.pages().size());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -11,18 +12,25 @@
 
 namespace radiata::render {
 
+class FibletCoverage;
+
 struct FibletBuffers {
+    FibletBuffers();
+    ~FibletBuffers();
     gpu::Buffer params;                        ///< shader::FibletLayerParams, then shader::FibletCounts
     gpu::Buffer words;                         ///< uint64[pixels]
     gpu::Buffer tangents;                      ///< uint64[pixels]
     gpu::Buffer visible;                       ///< one bit per fiblet
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
+    gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
     gpu::Buffer pyramid;                       ///< uint[]
+    gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
     std::vector<std::uint32_t> level_offsets;  ///< of the pyramid, in words, from level 1 on
     std::uint64_t scene_serial = 0;            ///< whose fiblets `visible` is about; 0: nobody's
     bool knows_visible = false;
-    std::uint64_t drawn = 0;  ///< fiblets of the latest sample
+    std::unique_ptr<FibletCoverage> coverage;  ///< only for that scheme of culling
+    std::uint64_t drawn = 0;                   ///< fiblets of the latest sample
 
     static constexpr std::uint64_t kCountsOffset = 512;
     shader::FibletLayerParams& layer() const { return *reinterpret_cast<shader::FibletLayerParams*>(params.mapped().data()); }
@@ -31,14 +39,18 @@ struct FibletBuffers {
     }
     std::uint64_t layerAddress() const { return params.address(); }
 
-    /// Buffers for a window of a picture. \param culled  lists and pyramid too \throws Error(kResourceExhausted)
-    void prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled);
+    /// Buffers for a window of a picture. \param culled  lists and pyramid too \param ends  where fiblets end too
+    /// \throws Error(kResourceExhausted)
+    void prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled, bool ends);
+    /// What a transparent layer takes besides, after fill().
+    void preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted);
     /// Everything that drawing reads. \param view  of this sample
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);
 
 private:
     glm::ivec2 size_{0};
+    std::uint64_t next_serial_ = 0;  ///< whose fiblets `next` is about
 };
 
 }  // namespace radiata::render

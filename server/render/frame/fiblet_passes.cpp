@@ -8,14 +8,20 @@
 
 #include "plan/fiblet_view.h"
 #include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_coverage.h"
+#include "render/frame/light_passes.h"
 
 namespace radiata::render {
 namespace {
 
-/// Shares of the pages, nearest first, after which the second phase looks at the depths anew: without knowledge of the latest
-/// picture what is in front must be drawn before it can hide anything.
-constexpr std::array<double, 5> kColdParts{1.0 / 16, 1.0 / 8, 1.0 / 4, 1.0 / 2, 1.0};
-constexpr std::array<double, 1> kWarmParts{1.0};
+/// Shares of the pages, nearest first, before each of which the second phase looks at the depths anew: what is in front must be
+/// drawn before it can hide anything. Those seen last do not spare that: the camera moves, and through the gaps that it finds
+/// between them all pages would be seen.
+constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
+/// A new pyramid takes about as long as drawing a page for so many pixels.
+constexpr std::uint64_t kPixelsPerPage = 4096;
+/// Segments per pixel of a transparent layer that a moving picture composes.
+constexpr int kMovingPeels = 4;
 /// Workgroups of one dispatch; every device takes 65,535.
 constexpr std::uint32_t kPagesAtOnce = 16'384;
 
@@ -50,16 +56,21 @@ public:
           scene_(*run.list.layers[index_].tracts),
           own_(*run.target.fiblets[index_]),
           first_(pass.first),
-          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : "") {}
+          suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : ""),
+          lines_(run, index_, own_, pace, suffix_) {}
 
     void draw() {
         if (run_.list.frozen) freeze();
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         begin(first_);
+        if (atomic()) {
+            run_.target.fiblet_lines.reset();
+        } else {
+            lines_.begin();
+        }
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.culling == model::FibletCulling::kNone) {
-                raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
-                own_.drawn = scene_.fibletCount();
+                drawAll();
             } else if (run_.list.frozen) {
                 step(1, 0, orderPages());
             } else {
@@ -69,14 +80,93 @@ public:
         surface();
     }
 
+    void drawPeels() {
+        const bool fast = run_.list.moving;
+        peels_ = true;
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        own_.preparePeels(run_.device, run_.pixels(), fast);
+        ensureBytes(run_.device, run_.target.peel_surface, run_.pixels() * sizeof(shader::Surface), gpu::Memory::kDevice,
+                    "peel surface");
+        run_.target.approximate = fast;
+        const bool any = scene_.fibletCount() > 0 && run_.list.camera.sees_scene;
+        for (int peel = 0; !fast || peel < kMovingPeels; ++peel) {
+            run_.checkCancelled();
+            peeling_ = peel > 0;
+            counting_ = fast && peel == 0;
+            begin(false);
+            own_.counts() = {};
+            if (any) drawPeel();
+            counting_ = false;
+            toPeelSurface();
+            runPeelLight(run_, "fiblet peel" + suffix_, own_.layerAddress(), peel == 0, fast && peel + 1 == kMovingPeels);
+            submit(0);
+            if (own_.counts().more == 0) break;
+        }
+    }
+
+    void findThrough(std::uint64_t inside, std::uint64_t found) {
+        peels_ = true;
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        own_.layer().inside = inside;
+        own_.layer().found = found;
+        own_.counts() = {};
+        finding_ = true;
+        if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) drawPeel();
+        own_.knows_visible = false;
+    }
+
 private:
+    /// Transparent layers and outlines are for the atomic pipeline alone.
+    bool atomic() const { return peels_ || plan_.pipeline == model::FibletPipeline::kAtomic; }
+    bool meshes() const {
+        return plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial;
+    }
+
+    /// The nearest segments that are not composed yet.
+    void drawPeel() {
+        if (plan_.culling == model::FibletCulling::kNone) {
+            raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
+        } else {
+            cull(0, 0, orderPages());
+            raster(true, 0, own_.counts().listed);
+        }
+        own_.drawn = own_.counts().listed;
+    }
+
+    void toPeelSurface() {
+        const auto resolve = [&] {
+            run_.recorder.dispatch(run_.pipelines.get("fiblet_surface", {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
+                                                                         plan_.selected_only ? 1U : 0U, 0U}),
+                                   "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                                   SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
+            submit(0);
+        };
+        resolve();
+        while (own_.counts().repaired > 0) {
+            const std::uint32_t repaired = own_.counts().repaired;
+            own_.counts().repaired = 0;
+            raster(true, 0, repaired);
+            resolve();
+        }
+    }
+
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
+    bool coverage() const { return plan_.culling == model::FibletCulling::kCoverage; }
+
+    /// Segments that may become one line: a power of two, by which a line is about four pixels long.
+    std::uint32_t detailSegments(const shader::FibletView& view) const {
+        if (!(plan_.detail_px > 0)) return 0;
+        const double segment_px = static_cast<double>(scene_.set().codec.step_mm * glm::length(view.right));
+        const double wanted = std::log2(4 / std::max(segment_px, 1e-3));
+        return 1U << static_cast<std::uint32_t>(std::clamp(std::round(wanted), 0.0, 5.0));
+    }
 
     /// Lets `visible` be what is seen from the frozen camera.
     void freeze() {
         own_.knows_visible = false;
         prepare(run_.list.frozen->rays, run_.list.frozen->reference_mm);
         begin(true);
+        if (!atomic()) lines_.begin();
         if (run_.list.frozen->sees_scene) drawCulled();
         run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         resolve(true, true, true);
@@ -96,21 +186,29 @@ private:
                                                    reference_mm - origin, scene_.reachMm());
         view.line_width = static_cast<float>(plan_.line_width_px);
         view.tube_radius = plan_.tube_radius_mm;
-        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone);
+        const bool ends = plan_.detail_px > 0 || coverage();
+        // Lines to the start of the next fiblet leave the box of what is decoded by the codec's error.
+        const double end_slack = ends ? 2e-3 * scene_.set().errors.max_um : 0;
+        view.rounding += static_cast<float>(end_slack);
+        own_.prepare(run_.device, scene_, window, plan_.culling != model::FibletCulling::kNone, ends);
         std::vector<shader::FibletCut> cuts;
         for (const model::FibreCut& cut : whole.scene.layers[index_].tracts().cuts) {
             const glm::dvec3 normal = glm::normalize(cut.normal);
             cuts.push_back({glm::vec3(normal), static_cast<float>(glm::dot(normal, cut.point_mm - origin))});
         }
         own_.fill(scene_, view, cuts, run_.list.layers[index_].fibres->stateAddress(), static_cast<std::uint32_t>(index_));
+        own_.layer().segments = run_.list.layers[index_].fibres->segmentAddress();
+        own_.layer().end_slack = static_cast<float>(end_slack);
+        own_.layer().detail_px = plan_.detail_px;
+        detail_ = detailSegments(view);
         own_.drawn = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
     }
 
     /// \param first  nothing that was drawn before is looked at
     void begin(bool first) {
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U}), "fiblet begin" + suffix_,
-                               PassRun::groups(run_.pixels()), 1, 1,
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U, counting_ ? 1U : 0U}),
+                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
                                LayerPush{own_.layerAddress(), run_.target.surface.address()});
     }
 
@@ -119,15 +217,16 @@ private:
         const auto start = std::chrono::steady_clock::now();
         run_.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-        if (fiblets == 0) return;
-        pace_.fiblets =
-            std::clamp(fiblets * std::clamp(FibletPace::kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
+        pace_.learn(fiblets, took_ms);
     }
 
+    /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
-                                                 plan_.lines ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                              plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
+                              plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
+                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -140,10 +239,12 @@ private:
     }
 
     void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        // A line of w pixels reaches (w - 1) / 2 beside its middle.
-        const auto margin = std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1));
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U});
+        // A line of w pixels reaches (w - 1) / 2 beside its middle; one of w across w / 2 times the root of 2, less half a
+        // pixel.
+        const auto width = static_cast<float>(plan_.line_width_px);
+        const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
         for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
             const std::uint32_t count = std::min(end - first, kPagesAtOnce);
             run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
@@ -182,20 +283,26 @@ private:
     void drawCulled() {
         const std::uint32_t pages = orderPages();
         own_.drawn = 0;
+        if (coverage()) {
+            if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();
+            own_.coverage->cull(run_, plan_, scene_, own_, suffix_);
+            submit(0);
+            drawListed(true);
+            return;
+        }
         if (!twoPhases()) {
             step(0, 0, pages);
             return;
         }
-        const bool warm = own_.knows_visible;
-        if (warm) {
+        if (own_.knows_visible) {
             step(1, 0, pages);
         } else {
             run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         }
         std::uint32_t first = 0;
-        const std::span<const double> parts = warm ? std::span<const double>(kWarmParts) : std::span<const double>(kColdParts);
-        for (const double part : parts) {
+        for (const double part : kParts) {
             const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
+            if (part < 1 && end - first <= run_.pixels() / kPixelsPerPage) continue;
             run_.checkCancelled();
             pyramid();
             step(2, first, end);
@@ -205,10 +312,29 @@ private:
 
     /// Draws what a phase of culling leaves of some pages in their order.
     void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        cull(phase, first, end);
-        const std::uint32_t listed = own_.counts().listed;
-        raster(true, static_cast<std::uint32_t>(own_.drawn), listed);
+        const bool mesh_lines = meshes() && plan_.lines;
+        if (mesh_lines) lines_.drawPages(phase, first, end, !plan_.tubes);
+        if (!mesh_lines || plan_.tubes) cull(phase, first, end);
+        drawListed(!mesh_lines);
+    }
+
+    /// What is new in the list. \param lines  not only tubes
+    void drawListed(bool lines) {
+        const std::uint32_t listed = own_.counts().listed, drawn = static_cast<std::uint32_t>(own_.drawn);
+        if (!atomic() && lines && plan_.lines) lines_.draw(true, drawn, listed);
+        if (atomic() || plan_.tubes) raster(true, drawn, listed);
         own_.drawn = listed;
+    }
+
+    void drawAll() {
+        const auto all = static_cast<std::uint32_t>(scene_.fibletCount());
+        if (meshes() && plan_.lines) {
+            lines_.drawPages(3, 0, static_cast<std::uint32_t>(scene_.pages().size()), false);
+        } else if (!atomic() && plan_.lines) {
+            lines_.draw(false, 0, all);
+        }
+        if (atomic() || plan_.tubes) raster(false, 0, all);
+        own_.drawn = all;
     }
 
     void surface() {
@@ -225,6 +351,13 @@ private:
             submit(0);
         }
         own_.knows_visible = marks;
+        if (!coverage()) {
+            own_.coverage.reset();
+        } else if (own_.coverage && !run_.list.frozen) {
+            pyramid();
+            own_.coverage->remember(run_, scene_, own_, suffix_);
+            submit(0);
+        }
     }
 
     /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
@@ -242,11 +375,23 @@ private:
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
-    bool first_;  ///< nothing is in the surface buffer yet
+    std::uint32_t detail_ = 0;
+    bool first_;                               ///< nothing is in the surface buffer yet
+    bool peels_ = false;                       ///< segment by segment, one behind the other
+    bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
+    bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
+    FibletLines lines_;
 };
 
 }  // namespace
+
+void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).drawPeels(); }
+
+void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found) {
+    FibletPace pace;
+    FibletRun(run, pass, pace).findThrough(inside, found);
+}
 
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).draw(); }
 

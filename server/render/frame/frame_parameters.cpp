@@ -20,7 +20,12 @@ void fillFibreLook(ColourTables& colours, const DrawList& list, std::size_t inde
     const plan::FibletPlan& fiblets = *list.plan->fiblets[index];
     look.instances = list.layers[index].tracts->headAddress();
     look.states = list.layers[index].fibres->stateAddress();
-    look.values = list.layers[index].fibres->valueAddress();
+    const FibreColours& values = *list.layers[index].fibres->colours;
+    look.values = values.valueAddress();
+    look.point_ranges = values.rangeAddress();
+    look.grid_origin = glm::vec3(values.grid().origin_mm - list.camera.reference_mm);
+    look.grid_step = static_cast<float>(values.grid().step_mm);
+    look.grid_size = values.grid().size;
     look.colour = static_cast<std::uint32_t>(colour.mode);
     look.uniform_colour = colour.uniform;
     look.tubes = fiblets.selected_only ? 2 : fiblets.tubes ? 1 : 0;

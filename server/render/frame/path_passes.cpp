@@ -113,4 +113,16 @@ model::IlluminationInfo pathInfo(gpu::Device& device, const Target::Impl& target
     return info;
 }
 
+void preparePaths(gpu::Device& device, PathLights& lights, store::Store& store, DrawList& list) {
+    for (const plan::PassPlan& pass : list.plan->passes) {
+        if (pass.kind != plan::PassKind::kPixelPaths) continue;
+        const auto layer = static_cast<std::size_t>(pass.layer);
+        const model::Scene& scene = list.plan->resolved.scene;
+        const model::Illumination& wanted = *scene.light.illumination;
+        const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
+        DrawnLayer& drawn = list.layers[layer];
+        drawn.path_light = lights.get(device, drawn.volume, wanted, map, scene.layers[layer].surface().colour);
+    }
+}
+
 }  // namespace radiata::render

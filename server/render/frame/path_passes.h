@@ -5,6 +5,8 @@
 #include <optional>
 
 #include "render/frame/pass_run.h"
+#include "render/light/path_light.h"
+#include "store/store.h"
 
 namespace radiata::render {
 
@@ -17,5 +19,8 @@ bool settlePixelPaths(PassRun& run, std::optional<std::chrono::steady_clock::tim
 
 /// Of the latest sample, with what all samples of the picture together make of its errors.
 model::IlluminationInfo pathInfo(gpu::Device& device, const Target::Impl& target, const DrawList& list);
+
+/// Gives the layers of a planned frame that are lit by paths from pixels what these need.
+void preparePaths(gpu::Device& device, PathLights& lights, store::Store& store, DrawList& list);
 
 }  // namespace radiata::render

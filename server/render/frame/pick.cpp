@@ -117,12 +117,17 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     model::FrameRequest pixel = request;
     pixel.quality = {};
     pixel.quality.samples = 1;
+    pixel.quality.fiblet_pipeline = request.quality.fiblet_pipeline;
+    pixel.quality.fiblet_detail_px = request.quality.fiblet_detail_px;
     pixel.quality.traversal = abilities.bvh ? model::Traversal::kBvh : model::Traversal::kRayQuery;
     pixel.quality.pole_table = model::PoleTable::kOff;
     pixel.scene.light = {};
     for (model::Layer& layer : pixel.scene.layers) {
         if (layer.ifGlyphs()) layer.glyphs().colour = {};
-        if (layer.ifTracts()) layer.tracts().colour = {};
+        if (layer.ifTracts()) {
+            layer.tracts().colour = {};
+            layer.opacity = 1;  // transparent fibres are picked as others are
+        }
         if (model::IsosurfaceLayer* surface = std::get_if<model::IsosurfaceLayer>(&layer.content)) {
             *surface = {.dataset_id = surface->dataset_id, .isovalue = surface->isovalue};
         }

@@ -21,13 +21,17 @@ public:
     /// \param constants  of both stages
     const gpu::GraphicsPipeline& getGraphics(const std::string& vertex, const std::string& fragment,
                                              const std::vector<std::uint32_t>& constants, gpu::Faces faces);
+    /// \param stages  modules of the stages in their order, the fragment shader last
+    const gpu::GraphicsPipeline& getGraphics(const std::vector<std::pair<gpu::ShaderStage, std::string>>& stages,
+                                             const std::vector<std::uint32_t>& constants, const gpu::Assembly& assembly);
     /// How many have been made so far.
     std::size_t count() const { return made_.size() + made_graphics_.size(); }
 
 private:
     gpu::Device& device_;
     std::map<std::pair<std::string, std::vector<std::uint32_t>>, gpu::ComputePipeline> made_;
-    std::map<std::pair<std::string, std::vector<std::uint32_t>>, gpu::GraphicsPipeline> made_graphics_;  ///< by fragment shader
+    /// By the modules' names in a row.
+    std::map<std::pair<std::string, std::vector<std::uint32_t>>, gpu::GraphicsPipeline> made_graphics_;
 };
 
 }  // namespace radiata::render

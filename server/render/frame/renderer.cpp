@@ -1,17 +1,22 @@
 #include "render/frame/renderer.h"
 
 #include <algorithm>
+#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
 #include <list>
 
 #include "base/error.h"
+#include "build/fibre_selection.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
+#include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
+#include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/path_passes.h"
@@ -25,7 +30,6 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
-constexpr std::size_t kLatticesKept = 4;
 /// A picture at rest shows its global light in between, when it works on it for so long.
 constexpr std::chrono::milliseconds kSettleSlice{250};
 /// Points decoded on the device may be that much outside of boxes made on the CPU.
@@ -73,6 +77,17 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
     }
 }
 
+/// What became of the layers' fiblets in the latest sample.
+void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) continue;
+        const FibletBuffers& own = *target.fiblets[i];
+        info.fiblets += list.layers[i].tracts->fibletCount();
+        info.fiblets_drawn += own.drawn;
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
+    }
+}
+
 }  // namespace
 
 struct Renderer::Impl {
@@ -81,9 +96,10 @@ struct Renderer::Impl {
     model::Limits limits;
     Drawer drawer;
     plan::Abilities abilities;
+    std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
-    std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    FrameLattices lattices;
     PathLights path_lights;
     IsosurfaceTriangles triangles;
     FibreScenes tracts;
@@ -92,7 +108,7 @@ struct Renderer::Impl {
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
         abilities = selfTest(device, drawer);
-        abilities.int64_atomics = device.has(gpu::Feature::kInt64Atomics);
+        addFibreAbilities(device, abilities);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -137,7 +153,8 @@ struct Renderer::Impl {
         }
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
-            result.fibres = tracts.look(device, result.tracts, *fibres);
+            result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
+            if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -155,51 +172,15 @@ struct Renderer::Impl {
         return result;
     }
 
-    std::shared_ptr<IlluminationLattice> lattice(const std::shared_ptr<const store::VolumeDataset>& volume,
-                                                 const model::Illumination& light, bool projected) {
-        for (auto it = lattices.begin(); it != lattices.end(); ++it) {
-            if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
-                !IlluminationLattice::sameTexels((*it)->settings(), light)) {
-                continue;
-            }
-            lattices.splice(lattices.begin(), lattices, it);
-            return lattices.front();
-        }
-        lattices.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
-        if (lattices.size() > kLatticesKept) lattices.pop_back();
-        return lattices.front();
-    }
-
-    /// Global light of a planned frame's layers.
-    void light(DrawList& list, const std::atomic<bool>* cancel) {
-        const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
-        for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kIllumination && pass.kind != plan::PassKind::kPixelPaths) continue;
-            const auto layer = static_cast<std::size_t>(pass.layer);
-            const model::Scene& scene = list.plan->resolved.scene;
-            const model::Illumination& wanted = *scene.light.illumination;
-            const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
-            DrawnLayer& drawn = list.layers[layer];
-            if (pass.kind == plan::PassKind::kPixelPaths) {
-                drawn.path_light = path_lights.get(device, drawn.volume, wanted, nullptr, surface.colour);
-                continue;
-            }
-            drawn.lattice = lattice(drawn.volume, wanted, false);
-            if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
-            for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
-                if (one) one->update(latticeRun(pass_run), wanted, nullptr, surface.colour, *surface.isovalue);
-            }
-        }
-    }
-
     /// What the plan has to know about a layer.
     plan::LayerFacts factsOf(const DrawnLayer& layer, const model::FrameRequest& request, const DrawList& list) const {
         if (layer.tracts) {
             plan::LayerFacts facts;
             facts.fibres = layer.fibres->shown();
             facts.fiblets = layer.tracts->fibletCount();
-            facts.value_min = static_cast<double>(layer.fibres->valueMin());
-            facts.value_max = static_cast<double>(layer.fibres->valueMax());
+            facts.segments_filtered = layer.fibres->segmentAddress() != 0;
+            facts.value_min = static_cast<double>(layer.fibres->colours->valueMin());
+            facts.value_max = static_cast<double>(layer.fibres->colours->valueMax());
             return facts;
         }
         if (layer.volume) {
@@ -223,11 +204,26 @@ struct Renderer::Impl {
         return facts;
     }
 
+    /// Tests a way to draw fibres before its first use; plans refuse those that fail.
+    void testFibres(model::FibletPipeline wanted) {
+        using Pipeline = model::FibletPipeline;
+        const auto bit = [](Pipeline one) { return 1U << static_cast<unsigned>(one); };
+        if (wanted == Pipeline::kAuto) {
+            testFibres(Pipeline::kAtomic);
+            if ((abilities.failed_pipelines & bit(Pipeline::kAtomic)) != 0) testFibres(Pipeline::kPull);
+            return;
+        }
+        if ((tested_pipelines & bit(wanted)) != 0) return;
+        tested_pipelines |= bit(wanted);
+        if (!fibletPipelineWorks(device, drawer, wanted, abilities)) abilities.failed_pipelines |= bit(wanted);
+    }
+
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
         const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
+            if (layer.ifTracts()) testFibres(request.quality.fiblet_pipeline);
             list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
@@ -278,7 +274,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     model::Frame frame;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(request, plan, frame.info);
-    impl_->light(list, cancel);
+    impl_->lattices.prepare(
+        {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
+        impl_->store);
+    preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -290,8 +289,12 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
     };
+    list.moving = plan.usesPeels() && first_sample == 0 && count < request.quality.samples;
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
         if (sample > 0 && !settle()) break;
+        list.moving = list.moving && sample == 0;
+        // A picture that rests has its first sample drawn as the others are.
+        if (sample > 0 && buffers.approximate) impl_->drawer.drawSample(buffers, list, 0, cancel);
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
@@ -300,11 +303,13 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
+    if (global) impl_->lattices.save(list, impl_->store);
     if (global) {
         frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
+    noteFiblets(buffers, list, frame.info);
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
@@ -332,6 +337,17 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
     return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
+}
+
+std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
+                                                      bool through) {
+    model::validate(request, impl_->limits);
+    const model::OutlinePixels pixels = model::pixelsIn(outline, {request.width, request.height});
+    const model::FrameRequest pixel = pickRequest(request, 0, 0, 0, impl_->abilities);
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    DrawList list = impl_->prepare(pixel, plan, info);
+    return pickOutline(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, pixels, through);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {

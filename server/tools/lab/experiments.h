@@ -28,9 +28,21 @@ Report wymanFig7(gpu::Device& device, const Options& options);
 Report wymanFig9(gpu::Device& device, const Options& options);
 Report wymanFig12(gpu::Device& device, const Options& options);
 Report wymanTable2(gpu::Device& device, const Options& options);
+Report wymanTable1(gpu::Device& device, const Options& options);
+Report wymanFig4(gpu::Device& device, const Options& options);
+Report wymanFig10(gpu::Device& device, const Options& options);
+Report wymanFig11(gpu::Device& device, const Options& options);
+Report illuminationSampling(gpu::Device& device, const Options& options);
+Report illuminationFirst(gpu::Device& device, const Options& options);
+Report illuminationMemory(gpu::Device& device, const Options& options);
 Report illuminationPareto(gpu::Device& device, const Options& options);
 Report fibletCodec(gpu::Device& device, const Options& options);
 Report schertzerTable1(gpu::Device& device, const Options& options);
+Report schertzerFig9(gpu::Device& device, const Options& options);
+Report fibletPipelines(gpu::Device& device, const Options& options);
+Report schertzerTable2(gpu::Device& device, const Options& options);
+Report schertzerTable3(gpu::Device& device, const Options& options);
+Report schertzerFig8(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab

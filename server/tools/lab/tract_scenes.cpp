@@ -6,6 +6,7 @@
 #include <random>
 #include <utility>
 
+#include "build/fiblet_encode.h"
 #include "io/tractogram.h"
 
 namespace radiata::lab {
@@ -34,7 +35,76 @@ model::Tractogram generated(std::size_t fibres, std::size_t points, double step_
     return all;
 }
 
+/// See ballOfFibres(). Each fibre has a seed of its own, so the source may begin anew and be cut anywhere.
+class BallSource final : public model::TractogramSource {
+public:
+    explicit BallSource(std::size_t fibres) : fibres_(fibres) {
+        header_.source = header_.format = "memory";
+        header_.fibre_count = fibres;
+        header_.point_count = fibres * kPoints;
+    }
+    const model::TractogramHeader& header() const override { return header_; }
+
+    bool read(model::FibreBatch& batch, std::size_t points_wanted) override {
+        batch.clear(0, 0);
+        batch.first_fibre = next_;
+        batch.first_point = next_ * kPoints;
+        while (next_ < fibres_ && batch.points.size() < points_wanted) {
+            add(batch.points);
+            batch.offsets.push_back(batch.points.size());
+        }
+        return batch.fibreCount() > 0;
+    }
+
+private:
+    static constexpr std::size_t kPoints = 800;
+    static constexpr double kRadiusMm = 70, kStepMm = 0.1;
+
+    void add(std::vector<glm::vec3>& points) {
+        std::mt19937 random(static_cast<std::uint32_t>(31 + 7919 * next_++));
+        const auto cube = [&] {
+            const auto one = [&] { return static_cast<double>(random()) * 0x1p-31 - 1; };
+            const double x = one(), y = one();
+            return glm::dvec3(x, y, one());
+        };
+        const auto direction = [&] {
+            for (;;) {
+                const glm::dvec3 v = cube();
+                if (glm::dot(v, v) > 0.01 && glm::dot(v, v) <= 1) return glm::normalize(v);
+            }
+        };
+        glm::dvec3 p = direction();
+        p *= kRadiusMm * std::cbrt(0.999 * (static_cast<double>(random()) + 1) * 0x1p-32);
+        glm::dvec3 d = direction();
+        for (std::size_t i = 0; i < kPoints; ++i) {
+            points.emplace_back(p);
+            const glm::dvec3 inward = glm::length(p) > kRadiusMm - 5 ? -0.05 * glm::normalize(p) : glm::dvec3(0);
+            d = glm::normalize(d + 0.02 * cube() + inward);
+            p += kStepMm * d;
+        }
+    }
+
+    std::size_t fibres_, next_ = 0;
+    model::TractogramHeader header_;
+};
+
 }  // namespace
+
+model::FibletSet ballOfFibres(std::size_t fibres) {
+    return encodeFiblets([&] { return std::make_unique<BallSource>(fibres); }, FibletOptions{});
+}
+
+model::FrameRequest fibreFrame(int height, const std::string& dataset) {
+    model::FrameRequest request;
+    request.height = height;
+    request.width = height * 16 / 9;
+    request.quality.samples = 1;
+    request.scene.annotations.hidden = true;
+    model::TractogramLayer layer;
+    layer.dataset_id = dataset;
+    request.scene.layers.emplace_back().content = layer;
+    return request;
+}
 
 std::vector<TractScene> tractScenes(std::size_t fibres) {
     std::vector<TractScene> scenes;

@@ -31,8 +31,9 @@ protected:
         const shaders::Module& vertex = shaders::module("test_rectangles_vert");
         const shaders::Module& fragment = shaders::module("test_rectangles_frag");
         const std::uint32_t constant = 77;
-        return {device, Shader{vertex.name, vertex.spirv}, Shader{fragment.name, fragment.spirv}, std::span(&constant, 1),
-                faces};
+        const std::array stages{StageShader{ShaderStage::kVertex, {vertex.name, vertex.spirv}},
+                                StageShader{ShaderStage::kFragment, {fragment.name, fragment.spirv}}};
+        return {device, stages, std::span(&constant, 1), {.faces = faces}};
     }
     template <typename T>
     Buffer uploaded(const std::vector<T>& values) {

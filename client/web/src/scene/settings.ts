@@ -11,6 +11,7 @@ import {
   type SceneSchema,
   type VoxelSelectionSchema,
 } from "../generated/radiata/v1/scene_pb";
+import { type FibreSettings, fibreLayers, noFibres } from "./fibres";
 import { type AnatomicalPlane, middleSlice, slicePosition, sliceRange } from "./slices";
 import { type SurfaceSettings, defaultSurface, surfaceLayers, surfaceLight } from "./surface";
 
@@ -31,6 +32,7 @@ export interface Settings extends SurfaceSettings {
   /** "direction", "radius", or the id of a scalar volume after "scalar:". */
   readonly colour: string;
   readonly colourMap: ColourMap;
+  readonly fibres: FibreSettings;
   readonly convention: Convention;
 }
 
@@ -48,6 +50,7 @@ export function defaultSettings(dataset: Dataset): Settings {
     colour: "direction",
     colourMap: ColourMap.VIRIDIS,
     ...defaultSurface,
+    fibres: noFibres,
     convention: Convention.RADIOLOGICAL,
   };
 }
@@ -113,6 +116,7 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
         },
       },
       ...surfaceLayers(settings),
+      ...fibreLayers(settings.fibres),
     ],
     ...(illumination && { light: { illumination } }),
     annotations: { convention: settings.convention },

@@ -1,0 +1,53 @@
+// One pixel of a segment that the device's rasteriser has drawn, by whichever pipeline: depth at the pixel's centre along the
+// segment's longer axis, as raster.comp has it, and who it is.
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#ifdef MESH
+#extension GL_EXT_mesh_shader : require
+#define PER_SEGMENT perprimitiveEXT flat
+#else
+#define PER_SEGMENT flat
+#endif
+#include "shaders/fiblet/layer_buffers.glsl"
+#include "shaders/common/depth_code.glsl"
+#include "shaders/common/fibre_directions.glsl"
+
+layout(constant_id = 2) const uint kCuts = 0u;
+
+layout(push_constant, scalar) uniform Push { LayerBuffer layer; } push;
+
+layout(location = 0) PER_SEGMENT in vec4 from;  // eye points of the ends
+layout(location = 1) PER_SEGMENT in vec4 to;
+layout(location = 2) PER_SEGMENT in uint who;
+layout(location = 0) out uvec4 words;  // who, depth, tangent, 0
+
+void main() {
+    const FibletView view = push.layer.layer.view;
+    if (who == FIBLET_NOBODY) discard;
+    const vec3 way = to.xyz - from.xyz;
+    vec4 a = from, b = to;
+    if (min(a.z, b.z) < view.near_depth) {
+        if (!(max(a.z, b.z) >= view.near_depth)) discard;
+        const vec4 crossing = mix(a, b, (view.near_depth - a.z) / (b.z - a.z));
+        if (a.z < view.near_depth) a = crossing;
+        else b = crossing;
+    }
+    const vec2 pixel_a = fibletPixel(view, a), pixel_b = fibletPixel(view, b);
+    const vec2 along = pixel_b - pixel_a, at = floor(gl_FragCoord.xy) + vec2(view.window_x, view.window_y) + 0.5;
+    const bool columns = abs(along.x) >= abs(along.y);
+    const float length_px = columns ? along.x : along.y;
+    const float passed = columns ? at.x - pixel_a.x : at.y - pixel_a.y;
+    const float share = length_px == 0.0 ? 0.0 : clamp(passed / length_px, 0.0, 1.0);
+    const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
+    const vec3 eye = mix(a.xyz, b.xyz, s);
+    if (eye.z > view.far_depth) discard;
+    const vec3 right = view.right / dot(view.right, view.right), up = view.up / dot(view.up, view.up);
+    if (kCuts > 0u) {
+        const vec3 p = (eye.x * right + eye.y * up + eye.z * view.forward) + view.reference_low + view.reference_high;
+        for (uint i = 0u; i < kCuts; ++i) {
+            if (dot(push.layer.layer.cuts[i].normal, p) > push.layer.layer.cuts[i].offset) discard;
+        }
+    }
+    gl_FragDepth = depthOfParameter(eye.z);
+    words = uvec4(who, floatBitsToUint(eye.z), packLine(way.x * right + way.y * up + way.z * view.forward), 0u);
+}

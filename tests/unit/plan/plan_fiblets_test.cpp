@@ -1,0 +1,81 @@
+// Which pipeline draws fibres, and what a device must have for it.
+#include <gtest/gtest.h>
+
+#include "base/error.h"
+#include "plan/plan.h"
+
+namespace radiata::plan {
+namespace {
+
+using Pipeline = model::FibletPipeline;
+
+Abilities everything() {
+    Abilities all;
+    all.int64_atomics = all.raster = all.lines = true;
+    all.mesh_shader = all.mesh_subgroups = all.geometry_shader = all.tessellation_shader = true;
+    all.line_width_max = 8;
+    return all;
+}
+
+FramePlan planOf(Pipeline pipeline, const Abilities& abilities, int line_width_px = 1, bool tubes = false) {
+    model::FrameRequest request;
+    request.quality.fiblet_pipeline = pipeline;
+    model::TractogramLayer layer;
+    layer.line_width_px = line_width_px;
+    if (tubes) layer.tube_radius_mm = 1.0F;
+    request.scene.layers.emplace_back().content = layer;
+    return planFrame(request, {LayerFacts{}}, abilities);
+}
+
+/// What the refusal says, or nothing.
+std::string refusal(Pipeline pipeline, const Abilities& abilities, int line_width_px = 1, bool tubes = false) {
+    try {
+        planOf(pipeline, abilities, line_width_px, tubes);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.code(), Code::kUnsupported);
+        return error.what();
+    }
+    return "";
+}
+
+TEST(PlanFiblets, DrawByAtomicsAndByTheRasteriserWithoutThem) {
+    Abilities abilities = everything();
+    EXPECT_EQ(planOf(Pipeline::kAuto, abilities).resolved.quality.fiblet_pipeline, Pipeline::kAtomic);
+    EXPECT_EQ(planOf(Pipeline::kAuto, abilities).fiblets[0]->pipeline, Pipeline::kAtomic);
+    abilities.failed_pipelines = 1U << static_cast<unsigned>(Pipeline::kAtomic);
+    EXPECT_EQ(planOf(Pipeline::kAuto, abilities).resolved.quality.fiblet_pipeline, Pipeline::kPull);
+    abilities.failed_pipelines = 0;
+    abilities.int64_atomics = false;
+    EXPECT_EQ(planOf(Pipeline::kAuto, abilities).resolved.quality.fiblet_pipeline, Pipeline::kPull);
+    EXPECT_NE(refusal(Pipeline::kAtomic, abilities).find("64-bit atomics"), std::string::npos);
+    EXPECT_NE(refusal(Pipeline::kPull, abilities, 1, true).find("for tubes"), std::string::npos);
+}
+
+TEST(PlanFiblets, RefuseWhatTheDeviceLacksOrGetsWrong) {
+    Abilities abilities = everything();
+    for (const Pipeline pipeline : {Pipeline::kAtomic, Pipeline::kPull, Pipeline::kMesh, Pipeline::kMeshSerial,
+                                    Pipeline::kGeometry, Pipeline::kTessellation, Pipeline::kLines, Pipeline::kPoints}) {
+        EXPECT_EQ(refusal(pipeline, abilities), "");
+        abilities.failed_pipelines = 1U << static_cast<unsigned>(pipeline);
+        EXPECT_NE(refusal(pipeline, abilities).find(std::string(model::pipelineName(pipeline)) + ", whose self-test"),
+                  std::string::npos);
+        abilities.failed_pipelines = 0;
+    }
+    EXPECT_NE(refusal(Pipeline::kLines, abilities, 9).find("at most 8"), std::string::npos);
+    abilities.mesh_shader = abilities.geometry_shader = abilities.tessellation_shader = false;
+    EXPECT_NE(refusal(Pipeline::kMesh, abilities).find("task and mesh shaders"), std::string::npos);
+    EXPECT_NE(refusal(Pipeline::kMeshSerial, abilities).find("task and mesh shaders"), std::string::npos);
+    EXPECT_NE(refusal(Pipeline::kGeometry, abilities).find("geometry shaders"), std::string::npos);
+    EXPECT_NE(refusal(Pipeline::kTessellation, abilities).find("tessellation shaders"), std::string::npos);
+    abilities.lines = false;
+    EXPECT_NE(refusal(Pipeline::kPull, abilities).find("rasteriser of lines"), std::string::npos);
+}
+
+TEST(PlanFiblets, CullNothingOfUncompressedPoints) {
+    EXPECT_EQ(planOf(Pipeline::kLines, everything()).resolved.quality.fiblet_culling, model::FibletCulling::kNone);
+    EXPECT_EQ(planOf(Pipeline::kPoints, everything()).resolved.quality.fiblet_culling, model::FibletCulling::kNone);
+    EXPECT_EQ(planOf(Pipeline::kMesh, everything()).resolved.quality.fiblet_culling, model::FibletCulling::kTwoPhase);
+}
+
+}  // namespace
+}  // namespace radiata::plan
