@@ -35,6 +35,8 @@ struct MergePush {
     std::uint64_t layer, image, depth;
 };
 
+/// Patches of one draw: llvmpipe of Mesa 25 draws some wrongly of many more.
+constexpr double kPatchesAtOnce = 256;
 /// Vertices of an instance of pull.vert.
 constexpr std::uint32_t kSlotVertices = shader::FIBLET_SEGMENTS + 1;
 /// Workgroups of one draw; every device takes 65,535.
@@ -136,7 +138,8 @@ void FibletLines::draw(bool listed, std::uint32_t first, std::uint32_t end) {
         const gpu::GraphicsPipeline& drawing = pipeline(0, listed, false);
         while (first < end) {
             run_.checkCancelled();
-            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6)));
+            const double most = plan_.pipeline == model::FibletPipeline::kTessellation ? kPatchesAtOnce : 4e6;
+            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(pace_.fiblets, most)));
             run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, images, gpu::VertexDraw{first, count, 0, 1},
                                     LayerPush{own_.layerAddress()});
             submit(count);
