@@ -123,6 +123,14 @@ describe("settings", () => {
       content: { case: "isosurface", value: { datasetId: "t1" } },
       opacity: 0.4,
     });
+    const lit = scene({ ...settings, surfaceShading: "vicinity", surfaceColour: "fa" }, flipped);
+    expect(lit.layers?.[1]).toEqual({
+      content: { case: "isosurface", value: { datasetId: "t1", colourBy: { imageId: "fa" } } },
+      opacity: 1,
+    });
+    expect(lit.light?.illumination?.bounces).toBe(0);
+    expect(scene({ ...settings, surfaceShading: "full" }, flipped).light?.illumination?.suns).toHaveLength(1);
+    expect(scene({ ...settings, surfaceShading: "phong" }, flipped).light).toBeUndefined();
     expect(scene({ ...settings, isovalue: 30 }, flipped).layers?.[1]?.content?.value).toMatchObject({ isovalue: 30 });
   });
 });

@@ -6,7 +6,6 @@ import {
   Annotations_Convention as Convention,
   type GlyphColourSchema,
   GlyphScale_Mode as ScaleMode,
-  type LayerSchema,
   NegativeLobes,
   Plane,
   type SceneSchema,
@@ -14,10 +13,11 @@ import {
 } from "../generated/radiata/v1/scene_pb";
 import { type FibreSettings, fibreLayers, noFibres } from "./fibres";
 import { type AnatomicalPlane, middleSlice, slicePosition, sliceRange } from "./slices";
+import { type SurfaceSettings, defaultSurface, surfaceLayers, surfaceLight } from "./surface";
 
 export type Region = "slice" | "slab" | "volume";
 
-export interface Settings {
+export interface Settings extends SurfaceSettings {
   readonly datasetId: string;
   readonly region: Region;
   readonly plane: AnatomicalPlane;
@@ -32,11 +32,6 @@ export interface Settings {
   /** "direction", "radius", or the id of a scalar volume after "scalar:". */
   readonly colour: string;
   readonly colourMap: ColourMap;
-  /** Id of the scalar volume whose isosurface is shown; empty: none. */
-  readonly surface: string;
-  /** null: the value that splits the volume best in two. */
-  readonly isovalue: number | null;
-  readonly surfaceOpacity: number;
   readonly fibres: FibreSettings;
   readonly convention: Convention;
 }
@@ -54,9 +49,7 @@ export function defaultSettings(dataset: Dataset): Settings {
     negativeLobes: false,
     colour: "direction",
     colourMap: ColourMap.VIRIDIS,
-    surface: "",
-    isovalue: null,
-    surfaceOpacity: 0.4,
+    ...defaultSurface,
     fibres: noFibres,
     convention: Convention.RADIOLOGICAL,
   };
@@ -105,14 +98,8 @@ export function selection(settings: Settings, dataset: Dataset): MessageInitShap
     : { region: { case: "slice", value: slice } };
 }
 
-function surfaceLayer({ surface, isovalue, surfaceOpacity }: Settings): MessageInitShape<typeof LayerSchema> {
-  return {
-    content: { case: "isosurface", value: { datasetId: surface, ...(isovalue !== null && { isovalue }) } },
-    opacity: surfaceOpacity,
-  };
-}
-
 export function scene(settings: Settings, dataset: Dataset): MessageInitShape<typeof SceneSchema> {
+  const illumination = surfaceLight(settings);
   return {
     layers: [
       {
@@ -128,9 +115,10 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
           },
         },
       },
-      ...(settings.surface === "" ? [] : [surfaceLayer(settings)]),
+      ...surfaceLayers(settings),
       ...fibreLayers(settings.fibres),
     ],
+    ...(illumination && { light: { illumination } }),
     annotations: { convention: settings.convention },
   };
 }
