@@ -4,7 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <numbers>
 #include <span>
 
 #include "base/checked.h"
@@ -116,7 +115,7 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     if (new_light) {
         light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_, light_buffers_.get());
         lattice.light = light_buffers_->params();
-        lattice.rgb8_scale = std::max(light_buffers_->openIrradianceMax() / std::numbers::pi_v<float>, 1e-20F);
+        lattice.rgb8_scale = std::max(light_buffers_->radianceMax(), 1e-20F);
         lattice.irradiance_floor = std::max(0.01F * light_buffers_->openIrradiance(), 1e-20F);
     }
     if (drop || harder) {

@@ -70,7 +70,7 @@ LatticeLightBuffers::LatticeLightBuffers(gpu::Device& device, const model::Illum
                                          const model::EnvironmentMap* map, const store::VolumeDataset& volume,
                                          LatticeLightBuffers* former) {
     const glm::dmat3 turn = lightRotation(light), back = glm::transpose(turn);
-    glm::dvec3 open = glm::dvec3(light.sky.radiance) * kPi;
+    glm::dvec3 open = glm::dvec3(light.sky.radiance) * kPi, all = open + kPi * glm::abs(glm::dvec3(light.sky.gradient));
     params_.radiance = light.sky.radiance;
     params_.gradient = light.sky.gradient;
     params_.up = glm::vec3(turn * glm::normalize(light.sky.up));
@@ -81,6 +81,7 @@ LatticeLightBuffers::LatticeLightBuffers(gpu::Device& device, const model::Illum
         params_.map_scale = light.environment->scale;
         params_.bright_weight = static_cast<float>(bright_weight_ * light.environment->scale);
         open = kPi * light.environment->scale * meanOf(*map);
+        all = 4.0 * open;
     }
     params_.map_x = glm::vec3(back[0]);
     params_.map_y = glm::vec3(back[1]);
@@ -90,12 +91,14 @@ LatticeLightBuffers::LatticeLightBuffers(gpu::Device& device, const model::Illum
         suns.push_back({glm::vec3(turn * glm::normalize(sun.direction)),
                         static_cast<float>(std::cos(sun.angular_radius_deg * kPi / 180)), sun.irradiance, 0});
         open += glm::dvec3(sun.irradiance);
+        all += glm::dvec3(sun.irradiance);
     }
     std::vector<shader::SphereLightParams> spheres;
     for (const model::SphereLight& sphere : light.lights) {
         spheres.push_back({glm::vec3(volume.worldToGrid(sphere.position_mm)), sphere.radius_mm, sphere.intensity, 0});
         // As if a hundred millimetres away: only a floor for relative errors.
         open += glm::dvec3(sphere.intensity) / 1e4;
+        all += glm::dvec3(sphere.intensity) / 1e2;
     }
     suns_ = uploaded(device, suns, "suns");
     spheres_ = uploaded(device, spheres, "lights in the scene");
@@ -113,7 +116,7 @@ LatticeLightBuffers::LatticeLightBuffers(gpu::Device& device, const model::Illum
         params_.harmonics = harmonics_.address();
     }
     open_irradiance_ = luminance(open);
-    open_irradiance_max_ = static_cast<float>(glm::compMax(open));
+    radiance_max_ = static_cast<float>(1.5 * glm::compMax(all / kPi));
 }
 
 }  // namespace radiata::render

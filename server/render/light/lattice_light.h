@@ -24,8 +24,9 @@ public:
     /// Luminance of the irradiance of a surface that everything shines on from its front: what relative errors are held against
     /// a hundredth of.
     float openIrradiance() const { return open_irradiance_; }
-    /// The largest of its colours.
-    float openIrradianceMax() const { return open_irradiance_max_; }
+    /// Radiance of a white surface that 8-bit texels reach to: half as much again as where distant light falls from everywhere
+    /// at once, for what bounces.
+    float radianceMax() const { return radiance_max_; }
 
 private:
     void addMap(gpu::Device& device, const model::EnvironmentMap& map, LatticeLightBuffers* former);
@@ -34,7 +35,7 @@ private:
     double bright_weight_ = 0;
     gpu::Buffer map_, bright_, suns_, spheres_, harmonics_;
     shader::LatticeLight params_{};
-    float open_irradiance_ = 0, open_irradiance_max_ = 0;
+    float open_irradiance_ = 0, radiance_max_ = 0;
 };
 
 }  // namespace radiata::render

@@ -75,6 +75,7 @@ model::IlluminationInfo IlluminationLattice::wholeInfo(model::IlluminationInfo i
     }
     std::uint64_t known = 0, below = 0;
     for (std::size_t bits = 0; bits < whole_.errors.size(); ++bits) {
+        if (whole_.errors[bits] == 0) continue;  // not all bits are numbers
         known += whole_.errors[bits];
         info.mean_error += static_cast<double>(whole_.errors[bits]) * texelError(static_cast<std::uint32_t>(bits));
     }

@@ -21,7 +21,7 @@ TEST(BrightPixels, OfAnEvenMapAreNone) {
 TEST(BrightPixels, AreChosenByWhatTheyHaveAboveTheCap) {
     model::EnvironmentMap map{16, 8, std::vector<glm::vec3>(128, glm::vec3(0.1F)), "", {}};
     // Grey, so luminance is the value.
-    const std::map<std::uint32_t, float> suns{{20, 9.0F}, {40, 30.0F}, {41, 4.0F}, {100, 60.0F}};
+    const std::map<std::uint32_t, float> suns{{20, 9.0F}, {40, 30.0F}, {41, 1.0F}, {100, 60.0F}};
     for (const auto& [pixel, value] : suns) map.pixels[pixel] = glm::vec3(value);
     const BrightPixels bright = brightPixels(map);
     ASSERT_EQ(bright.table.size(), 3u) << "one of them is below the cap of " << bright.cap;
