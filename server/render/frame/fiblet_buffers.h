@@ -23,6 +23,7 @@ struct FibletBuffers {
     gpu::Buffer visible;                       ///< one bit per fiblet
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
+    gpu::Buffer found_pages;                   ///< uint[pages]: in which fiblets can be seen
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
     std::vector<std::uint32_t> level_offsets;  ///< of the pyramid, in words, from level 1 on
