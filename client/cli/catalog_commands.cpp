@@ -62,9 +62,11 @@ void list(const Connection& connection, const Options& options) {
     std::vector<Row> rows;
     for (const v1::Dataset& entry : response.datasets()) {
         const bool tracts = entry.kind() == v1::DATASET_KIND_TRACTOGRAM;
-        const bool scalar = tracts || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
+        const bool mesh = entry.kind() == v1::DATASET_KIND_MESH;
+        const bool map = entry.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP;
+        const bool scalar = tracts || mesh || map || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
-                        tracts ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
+                        tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
                         scalar ? "" : std::to_string(entry.glyph_count()), tracts ? std::to_string(entry.fibres()) : "",
                         scalar ? "" : residence(entry)});
     }
@@ -104,8 +106,26 @@ std::string describeTracts(const v1::Dataset& entry) {
          {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
 }
 
+std::string describeMap(const v1::Dataset& entry) {
+    return formatTable(
+        {"dataset", entry.id()},
+        {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
+         {"pixels", entry.size_size() < 2 ? "" : std::to_string(entry.size(0)) + "x" + std::to_string(entry.size(1))},
+         {"luminance", formatNumber(entry.value_min(), 4) + " to " + formatNumber(entry.value_max(), 4)}});
+}
+
+std::string describeMesh(const v1::Dataset& entry) {
+    return formatTable({"dataset", entry.id()}, {{"kind", "mesh"},
+                                                 {"points", std::to_string(entry.points())},
+                                                 {"triangles", std::to_string(entry.triangles())},
+                                                 {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
+                                                 {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
+}
+
 std::string describe(const v1::Dataset& entry) {
+    if (entry.kind() == v1::DATASET_KIND_MESH) return describeMesh(entry);
     if (entry.kind() == v1::DATASET_KIND_TRACTOGRAM) return describeTracts(entry);
+    if (entry.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP) return describeMap(entry);
     const bool scalar = entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
     std::vector<Row> rows = {
         {"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},

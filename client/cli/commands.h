@@ -17,6 +17,9 @@ void addOrbitCommand(CLI::App& app, const ConnectionOptions& connection);
 /// pick: what lies under a pixel.
 void addPickCommand(CLI::App& app, const ConnectionOptions& connection);
 
+/// lasso: which fibres lie in an outline on the picture.
+void addLassoCommand(CLI::App& app, const ConnectionOptions& connection);
+
 /// select: counts, names or exports fibres of a tractogram.
 void addSelectCommand(CLI::App& app, const ConnectionOptions& connection);
 

@@ -19,6 +19,7 @@ int body(int argc, char** argv) {
     radiata::client::addRenderCommand(app, connection);
     radiata::client::addOrbitCommand(app, connection);
     radiata::client::addPickCommand(app, connection);
+    radiata::client::addLassoCommand(app, connection);
     radiata::client::addSelectCommand(app, connection);
     try {
         app.parse(argc, argv);

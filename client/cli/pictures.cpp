@@ -32,7 +32,8 @@ v1::Frame renderPicture(const Connection& connection, const v1::FrameRequest& re
     return std::move(*response.mutable_frame());
 }
 
-v1::Frame streamPicture(const Connection& connection, const v1::FrameRequest& request) {
+v1::Frame streamPicture(const Connection& connection, const v1::FrameRequest& request,
+                        const std::function<void(const v1::Frame&)>& seen) {
     const auto stub = v1::ViewService::NewStub(connection.channel());
     v1::OpenRequest open;
     *open.mutable_frame() = request;
@@ -46,6 +47,7 @@ v1::Frame streamPicture(const Connection& connection, const v1::FrameRequest& re
         if (!response.view_id().empty()) view_id = response.view_id();
         if (!response.has_frame()) continue;
         rememberRequest(*response.mutable_frame(), resolved);
+        if (seen) seen(response.frame());
         if (response.frame().state() == v1::FRAME_STATE_CONVERGED) {
             context.TryCancel();
             return std::move(*response.mutable_frame());

@@ -56,11 +56,13 @@ void checkOptions(const Options& options) {
             if (files[i] == files[k]) throw ClientError(ExitCode::kUsage, "two outputs would be written to " + files[i]);
         }
     }
-    if (options.stream && !wantedOutputs(options).empty()) {
-        throw ClientError(ExitCode::kUsage, "a stream carries pictures only; leave --stream out to get the arrays");
+    const bool stream = options.stream || options.request.light.illumination.full;
+    const std::string way = options.stream ? "--stream" : "--full";
+    if (stream && !wantedOutputs(options).empty()) {
+        throw ClientError(ExitCode::kUsage, "a stream carries pictures only; leave " + way + " out to get the arrays");
     }
-    if (options.stream && imageFormat(options) == v1::IMAGE_FORMAT_JPEG) {
-        throw ClientError(ExitCode::kUsage, "a picture at rest is streamed as PNG; leave --stream out to get a JPEG");
+    if (stream && imageFormat(options) == v1::IMAGE_FORMAT_JPEG) {
+        throw ClientError(ExitCode::kUsage, "a picture at rest is streamed as PNG; leave " + way + " out to get a JPEG");
     }
     for (const std::string& file : files) checkWritable(file);
 }
@@ -77,13 +79,20 @@ void writeArrays(const Options& options, const v1::Frame& frame) {
     }
 }
 
+/// A line for each frame of a whole lattice, which may take hours.
+void showProgress(const v1::Frame& frame) {
+    if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
+}
+
 void render(const ConnectionOptions& connection_options, const Options& options) {
     v1::FrameRequest request = makeRequest(options.request);
     checkOptions(options);
     const Connection connection(connection_options);
     completeRequest(request, connection, options.request.plane);
-    const v1::Frame frame = options.stream ? streamPicture(connection, request)
-                                           : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
+    const bool whole = request.scene().light().illumination().full();
+    const v1::Frame frame = options.stream || whole
+                                ? streamPicture(connection, request, whole ? showProgress : nullptr)
+                                : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
     if (frame.image().empty()) throw ClientError(ExitCode::kRefused, "the server's frame has no picture");
     if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
     writeArrays(options, frame);

@@ -1,5 +1,6 @@
 #include "common/fibre_options.h"
 
+#include <charconv>
 #include <cmath>
 
 #include "common/camera_json.h"
@@ -29,7 +30,9 @@ bool anyOption(const FibreOptions& options) {
            !options.uniform.empty() || options.line_width || options.tube_radius_mm || options.occlusion_px ||
            options.halo_px || !options.slab.empty() || !options.cuts.empty() || !options.groups.empty() ||
            !options.fibres.empty() || !options.length.empty() || !options.select_groups.empty() ||
-           !options.select_fibres.empty() || options.hide_unselected;
+           !options.select_fibres.empty() || options.hide_unselected || options.exact_width || !options.near.empty() ||
+           !options.show.empty() || !options.select.empty() || !options.inside.empty() || !options.outside.empty() ||
+           !options.criteria.empty() || options.opacity;
 }
 
 template <typename Message>
@@ -40,14 +43,52 @@ void setMap(Message& message, const FibreOptions& options) {
     message.mutable_range()->set_high(options.range[1]);
 }
 
+/// NAME, or NAME:COMPONENT.
+void setPointColumn(v1::FibrePointColour& colour, const FibreOptions& options) {
+    const std::size_t colon = options.column.rfind(':');
+    const std::string digits = colon == options.column.npos ? "" : options.column.substr(colon + 1);
+    std::uint32_t component = 0;
+    const auto [end, failure] = std::from_chars(digits.data(), digits.data() + digits.size(), component);
+    const bool numbered = !digits.empty() && failure == std::errc() && end == digits.data() + digits.size();
+    colour.set_name(numbered ? options.column.substr(0, colon) : options.column);
+    colour.set_component(numbered ? component : 0);
+    setMap(colour, options);
+}
+
+/// COLUMN,LOW,HIGH; the name may hold commas itself.
+void addCriterion(v1::TractogramLayer& layer, const std::string& text) {
+    const std::size_t second = text.rfind(','),
+                      first = second == 0 || second == text.npos ? text.npos : text.rfind(',', second - 1);
+    v1::FibreCriterion& criterion = *layer.add_criteria();
+    float bounds[2] = {0, 0};
+    bool good = first != text.npos && first > 0;
+    for (int i = 0; good && i < 2; ++i) {
+        const std::string word = i == 0 ? text.substr(first + 1, second - first - 1) : text.substr(second + 1);
+        const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), bounds[i]);
+        good = failure == std::errc() && end == word.data() + word.size();
+    }
+    if (!good) {
+        throw ClientError(ExitCode::kUsage, "--criterion is '" + text + "'; it must be COLUMN,LOW,HIGH, such as fa,0.3,inf");
+    }
+    criterion.set_column(text.substr(0, first));
+    criterion.set_low(bounds[0]);
+    criterion.set_high(bounds[1]);
+}
+
 void setColour(v1::FibreColour& colour, const FibreOptions& options) {
-    const bool column = options.colour == "column", mapped = column || options.colour == "length";
+    const bool point = options.colour == "point", column = options.colour == "column" || point;
+    const bool distance = options.colour == "distance", mapped = column || distance || options.colour == "length";
+    if (distance == options.near.empty()) {
+        throw ClientError(ExitCode::kUsage, distance ? "--fibre-colour distance needs --fibre-near REGION"
+                                                     : "--fibre-near goes with --fibre-colour distance only");
+    }
     if (column == options.column.empty()) {
-        throw ClientError(ExitCode::kUsage, column ? "--fibre-colour column needs --fibre-column NAME"
-                                                   : "--fibre-column goes with --fibre-colour column only");
+        throw ClientError(ExitCode::kUsage, column ? "--fibre-colour column and point need --fibre-column NAME"
+                                                   : "--fibre-column goes with --fibre-colour column or point only");
     }
     if (!mapped && !(options.map.empty() && options.range.empty())) {
-        throw ClientError(ExitCode::kUsage, "--fibre-map and --fibre-range go with --fibre-colour column or length only");
+        throw ClientError(ExitCode::kUsage,
+                          "--fibre-map and --fibre-range go with --fibre-colour column, point, length or distance only");
     }
     const bool uniform = options.colour == "uniform" || (options.colour.empty() && !options.uniform.empty());
     if (!uniform && !options.uniform.empty()) {
@@ -58,7 +99,13 @@ void setColour(v1::FibreColour& colour, const FibreOptions& options) {
     if (options.colour == "fibre") colour.mutable_fibre();
     if (options.colour == "group") colour.mutable_group();
     if (options.colour == "length") setMap(*colour.mutable_length(), options);
-    if (!column) return;
+    if (options.colour == "ends") colour.mutable_ends();
+    if (distance) {
+        colour.mutable_distance()->set_region(options.near);
+        setMap(*colour.mutable_distance(), options);
+    }
+    if (point) setPointColumn(*colour.mutable_point(), options);
+    if (!column || point) return;
     colour.mutable_column()->set_name(options.column);
     setMap(*colour.mutable_column(), options);
 }
@@ -84,6 +131,16 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
     }
     for (const std::string& group : options.select_groups) layer.mutable_selected()->add_groups(group);
     for (const std::uint32_t fibre : options.select_fibres) layer.mutable_selected()->add_fibres(fibre);
+    if (!options.show.empty()) layer.mutable_shown()->set_selection(options.show);
+    if (!options.select.empty()) layer.mutable_selected()->set_selection(options.select);
+    for (const std::string& region : options.inside) layer.add_region_cuts()->set_region(region);
+    for (const std::string& region : options.outside) {
+        v1::FibreRegionCut& cut = *layer.add_region_cuts();
+        cut.set_region(region);
+        cut.set_outside(true);
+    }
+    for (const std::string& criterion : options.criteria) addCriterion(layer, criterion);
+    layer.set_exact_width(options.exact_width);
     if (options.hide_unselected) layer.set_unselected(v1::UNSELECTED_FIBRES_HIDDEN);
 }
 
@@ -91,7 +148,9 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
 
 void addFibres(v1::Scene& scene, const FibreOptions& options) {
     if (!options.dataset.empty()) {
-        setFibres(*scene.add_layers()->mutable_tractogram(), options);
+        v1::Layer& layer = *scene.add_layers();
+        if (options.opacity) layer.set_opacity(*options.opacity);
+        setFibres(*layer.mutable_tractogram(), options);
     } else if (anyOption(options)) {
         throw ClientError(ExitCode::kUsage, "options of fibres need --tracts ID, the tractogram that is shown");
     }
@@ -100,9 +159,13 @@ void addFibres(v1::Scene& scene, const FibreOptions& options) {
 void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--tracts", options.dataset, "Catalogue id of a tractogram to show, alone or with --dataset");
     app.add_option("--fibre-colour", options.colour, "What colours fibres (default direction)")
-        ->check(CLI::IsMember({"direction", "uniform", "fibre", "group", "column", "length"}));
-    app.add_option("--fibre-column", options.column, "Column of --fibre-colour column");
-    app.add_option("--fibre-map", options.map, "Colour map of --fibre-colour column and length (default viridis)")
+        ->check(CLI::IsMember({"direction", "uniform", "fibre", "group", "column", "point", "length", "distance", "ends"}));
+    app.add_option("--fibre-column", options.column,
+                   "Column of --fibre-colour column, or of --fibre-colour point (NAME or NAME:COMPONENT)");
+    app.add_option("--fibre-near", options.near, "Region of --fibre-colour distance, such as \"sphere(-20, 4, 12, 8)\"")
+        ->type_name("REGION");
+    app.add_option("--fibre-map", options.map,
+                   "Colour map of --fibre-colour column, point, length and distance (default viridis)")
         ->check(CLI::IsMember({"viridis", "inferno", "cividis", "black-red-yellow", "grey"}));
     app.add_option("--fibre-range", options.range, "Ends of that map: values, or lengths in mm (default: those of all fibres)")
         ->delimiter(',')
@@ -137,6 +200,25 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
         ->delimiter(',')
         ->type_name("NAME,...");
     app.add_option("--select-fibre", options.select_fibres, "Let these fibres stand out")->delimiter(',')->type_name("N,...");
+    app.add_option("--show", options.show, "Show the fibres of a selection (docs/formats/selection.md)")
+        ->type_name("SELECTION");
+    app.add_option("--select", options.select, "Let the fibres of a selection stand out")->type_name("SELECTION");
+    app.add_option("--cut-inside", options.inside,
+                   "Show only what lies in this region, such as \"mesh(thalamus)\"; may be repeated")
+        ->take_all()
+        ->type_name("REGION");
+    app.add_option("--cut-outside", options.outside, "Show only what lies outside of this region; may be repeated")
+        ->take_all()
+        ->type_name("REGION");
+    app.add_option(
+           "--criterion", options.criteria,
+           "Show only what has values of a column within bounds: fibres, or segments for columns per point; may be repeated")
+        ->take_all()
+        ->type_name("COLUMN,LOW,HIGH");
+    app.add_option("--fibre-opacity", options.opacity,
+                   "Opacity of the fibres, above 0, up to 1: what is behind shines through, in the right order (default 1)");
+    app.add_flag("--exact-width", options.exact_width,
+                 "Lines have their width across, so that many samples show their true coverage");
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
         ->check(CLI::IsMember({"atomic", "pull", "mesh", "mesh-serial", "geometry", "tessellation", "lines", "points"}));

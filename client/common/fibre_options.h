@@ -13,9 +13,10 @@
 namespace radiata::client {
 
 struct FibreOptions {
-    std::string dataset;  ///< empty: no layer of fibres
-    std::string colour;   ///< empty: by direction
-    std::string column;
+    std::string dataset;       ///< empty: no layer of fibres
+    std::string colour;        ///< empty: by direction
+    std::string column;        ///< per fibre or, as NAME or NAME:COMPONENT, per point
+    std::string near;          ///< region of colours by distance
     std::string map;           ///< word of v1::ColourMap
     std::vector<float> range;  ///< two numbers
     std::vector<double> uniform;
@@ -27,7 +28,12 @@ struct FibreOptions {
     std::vector<std::uint32_t> fibres, select_fibres;
     std::vector<float> length;  ///< mm: low, high
     bool hide_unselected = false;
+    bool exact_width = false;
+    std::string show, select;                  ///< selections
+    std::vector<std::string> inside, outside;  ///< regions
+    std::vector<std::string> criteria;         ///< COLUMN,LOW,HIGH
     std::string pipeline, culling;
+    std::optional<float> opacity;
     std::optional<float> detail_px;
     std::string frozen;  ///< camera: file or JSON
 };

@@ -13,10 +13,13 @@ namespace radiata::client {
 
 struct IlluminationOptions {
     std::string payload;  ///< empty: surfaces are lit like glyphs
+    std::string method;   ///< lattice or path-tracing; empty: not given
     std::string storage, interpolation, resolution;
     std::optional<std::uint32_t> bounces;
     std::vector<std::uint32_t> orders;
-    bool on_own_level_sets = false;
+    bool on_own_level_sets = false, full = false, random_paths = false;
+    std::string environment;  ///< id of an environment map
+    std::optional<float> environment_scale;
     std::optional<float> relative_error;
     std::optional<std::uint32_t> samples_max;
     std::optional<float> budget_mib;

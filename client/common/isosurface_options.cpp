@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "common/client_error.h"
+#include "common/enum_words.h"
 
 namespace radiata::client {
 namespace {
@@ -40,6 +41,23 @@ void setColour(v1::Vec3& colour, std::string_view text, const std::string& whole
     colour.set_z(number(channels[2], whole));
 }
 
+/// "ID[/MAP[/LOW/HIGH]]"
+void setColourBy(v1::VolumeColour& colour, std::string_view text, const std::string& whole) {
+    const auto words = parts(text, '/');
+    static const auto maps = enumWords<v1::ColourMap>(v1::ColourMap_descriptor());
+    const auto map = words.size() > 1 ? maps.find(std::string(words[1])) : maps.end();
+    if (words[0].empty() || (words.size() != 1 && words.size() != 2 && words.size() != 4) ||
+        (words.size() > 1 && map == maps.end())) {
+        refuse("'" + whole + "': colour-by is '" + std::string(text) +
+               "'; it must be ID[/MAP[/LOW/HIGH]] with a map such as viridis");
+    }
+    colour.set_image_id(std::string(words[0]));
+    if (words.size() > 1) colour.set_map(map->second);
+    if (words.size() < 4) return;
+    colour.mutable_range()->set_low(static_cast<float>(number(words[2], whole)));
+    colour.mutable_range()->set_high(static_cast<float>(number(words[3], whole)));
+}
+
 void setLayer(v1::Layer& layer, const std::string& whole) {
     const auto words = parts(whole, ',');
     v1::IsosurfaceLayer& surface = *layer.mutable_isosurface();
@@ -53,10 +71,18 @@ void setLayer(v1::Layer& layer, const std::string& whole) {
             layer.set_opacity(static_cast<float>(number(word.substr(8), whole)));
         } else if (word.starts_with("colour=")) {
             setColour(*surface.mutable_colour(), word.substr(7), whole);
+        } else if (word.starts_with("colour-by=")) {
+            setColourBy(*surface.mutable_colour_by(), word.substr(10), whole);
+        } else if (word.starts_with("fog=")) {
+            surface.set_fog(static_cast<float>(number(word.substr(4), whole)));
+        } else if (word == "shading=lambert" || word == "shading=phong") {
+            surface.set_shading(word.ends_with("phong") ? v1::SURFACE_SHADING_PHONG : v1::SURFACE_SHADING_LAMBERT);
         } else if (word == "no-shadows") {
             layer.set_casts_shadows(false);
         } else {
-            refuse("'" + whole + "': '" + std::string(word) + "' is none of opacity=A, colour=R/G/B and no-shadows");
+            refuse("'" + whole + "': '" + std::string(word) +
+                   "' is none of opacity=A, colour=R/G/B, colour-by=ID[/MAP[/LOW/HIGH]], shading=lambert, shading=phong, fog=F "
+                   "and no-shadows");
         }
     }
 }
@@ -67,17 +93,21 @@ void addIsosurfaceOptions(CLI::App& app, IsosurfaceOptions& options) {
     app.add_option(
            "--isosurface", options.layers,
            "A layer with the surface of a scalar volume: its catalogue id, the value (default: what splits the volume best "
-           "in two), opacity and colour; may be given several times. Without --dataset only surfaces are shown")
-        ->type_name("ID[:VALUE][,opacity=A][,colour=R/G/B][,no-shadows]")
+           "in two), opacity, colour, another volume that colours it, its shading, and the share of fog at its far end; may be "
+           "given several times. Without --dataset only surfaces are shown")
+        ->type_name(
+            "ID[:VALUE][,opacity=A][,colour=R/G/B][,colour-by=ID[/MAP[/LOW/"
+            "HIGH]]][,shading=lambert|phong][,fog=F][,no-shadows]")
         ->expected(1)
         ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     v1::IsosurfaceSettings& settings = options.settings;
     const std::map<std::string, v1::SurfaceMethod> methods{{"exact", v1::SURFACE_METHOD_EXACT},
-                                                           {"march-bisect", v1::SURFACE_METHOD_MARCH_BISECT}};
+                                                           {"march-bisect", v1::SURFACE_METHOD_MARCH_BISECT},
+                                                           {"marching-cubes", v1::SURFACE_METHOD_MARCHING_CUBES}};
     app.add_option_function<std::string>(
            "--surface-method", [&settings, methods](const std::string& word) { settings.set_method(methods.at(word)); },
-           "How rays find isosurfaces (default exact; march-bisect is there to compare with)")
-        ->check(CLI::IsMember({"exact", "march-bisect"}));
+           "How isosurfaces are found (default exact; march-bisect and marching-cubes are there to compare with)")
+        ->check(CLI::IsMember({"exact", "march-bisect", "marching-cubes"}));
     app.add_option_function<float>(
         "--surface-step", [&settings](float value) { settings.set_step(value); },
         "Step of march-bisect in voxel edges, 0.05 to 4 (default 0.5)");

@@ -11,7 +11,7 @@
 namespace radiata::client {
 
 struct IsosurfaceOptions {
-    std::vector<std::string> layers;  ///< "ID[:VALUE][,opacity=A][,colour=R/G/B][,no-shadows]"
+    std::vector<std::string> layers;  ///< as the help of --isosurface says
     v1::IsosurfaceSettings settings;
 };
 

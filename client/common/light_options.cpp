@@ -5,6 +5,9 @@
 namespace radiata::client {
 namespace {
 
+/// Of --shading lambert-fog, at the far end.
+constexpr float kFog = 0.9F;
+
 [[noreturn]] void refuse(const std::string& message) { throw ClientError(ExitCode::kUsage, message); }
 
 void setVector(v1::Vec3& vector, const std::vector<double>& values) {
@@ -29,6 +32,11 @@ void addLightOptions(CLI::App& app, LightOptions& options) {
     app.add_option("--light-radius", options.angular_radius_deg,
                    "Half the angle under which the light of soft shadows is seen, degrees (default 5)");
     app.add_option("--shadow-rays", options.shadow_rays, "Rays towards the light of soft shadows, per sample (default 16)");
+    app.add_option(
+           "--shading", options.shading,
+           "How isosurfaces are lit, those of Wyman et al.'s Fig. 9: lambert, lambert-fog and phong by local light, vicinity "
+           "as --vicinity, full as --global-light irradiance (default scene)")
+        ->check(CLI::IsMember({"scene", "lambert", "lambert-fog", "phong", "vicinity", "full"}));
     addIlluminationOptions(app, options.illumination);
     app.add_option("--ambient-occlusion", options.occlusion_rays, "Weaken the ambient light by so many rays per sample")
         ->type_name("RAYS");
@@ -46,7 +54,10 @@ void setLight(v1::Light& light, const LightOptions& options) {
     if (options.occlusion_radius_mm && !options.occlusion_rays) refuse("--occlusion-radius goes with --ambient-occlusion only");
     if (!options.direction_camera.empty()) setVector(*light.mutable_direction_camera(), options.direction_camera);
     if (!options.direction_world.empty()) setVector(*light.mutable_direction_world(), options.direction_world);
-    setIllumination(light, options.illumination);
+    IlluminationOptions illumination = options.illumination;
+    if (options.shading == "vicinity") illumination.vicinity = true;
+    if (options.shading == "full" && illumination.payload.empty()) illumination.payload = "irradiance";
+    setIllumination(light, illumination);
     if (options.irradiance) light.set_irradiance(*options.irradiance);
     if (options.ambient) light.set_ambient(*options.ambient);
     if (options.shadow == "none") light.set_shadow(v1::SHADOW_NONE);
@@ -56,6 +67,19 @@ void setLight(v1::Light& light, const LightOptions& options) {
     if (options.shadow_rays) light.set_shadow_rays(*options.shadow_rays);
     if (options.occlusion_rays) light.mutable_ambient_occlusion()->set_rays(*options.occlusion_rays);
     if (options.occlusion_radius_mm) light.mutable_ambient_occlusion()->set_radius_mm(*options.occlusion_radius_mm);
+}
+
+void setShading(v1::Scene& scene, const LightOptions& options) {
+    const bool lambert = options.shading.starts_with("lambert"), fog = options.shading == "lambert-fog";
+    if (!lambert && options.shading != "phong") return;
+    for (v1::Layer& layer : *scene.mutable_layers()) {
+        if (!layer.has_isosurface()) continue;
+        v1::IsosurfaceLayer& surface = *layer.mutable_isosurface();
+        if (surface.shading() == v1::SURFACE_SHADING_UNSPECIFIED) {
+            surface.set_shading(lambert ? v1::SURFACE_SHADING_LAMBERT : v1::SURFACE_SHADING_PHONG);
+        }
+        if (fog && !surface.has_fog()) surface.set_fog(kFog);
+    }
 }
 
 }  // namespace radiata::client

@@ -17,6 +17,7 @@ namespace radiata::client {
 /// Vectors hold three numbers, or none where the option was not given; absent choices are left to the server.
 struct LightOptions {
     IlluminationOptions illumination;
+    std::string shading;  ///< of isosurfaces: scene, lambert, lambert-fog, phong, vicinity, full; empty: not given
     std::vector<double> direction_camera;
     std::vector<double> direction_world;
     std::optional<float> irradiance;
@@ -32,5 +33,8 @@ void addLightOptions(CLI::App& app, LightOptions& options);
 
 /// \throws ClientError(kUsage) if options contradict each other
 void setLight(v1::Light& light, const LightOptions& options);
+
+/// The local part of --shading, for the isosurfaces of a scene that have none of their own.
+void setShading(v1::Scene& scene, const LightOptions& options);
 
 }  // namespace radiata::client

@@ -137,6 +137,7 @@ void setQuality(v1::Quality& quality, const RequestOptions& options) {
     if (options.tensors.march.ByteSizeLong() > 0) *quality.mutable_tensor_march() = options.tensors.march;
     setTessellation(quality, options);
     setFibreQuality(quality, options.fibres);
+    quality.set_fxaa(options.fxaa);
     if (options.jpeg_quality) quality.set_jpeg_quality(*options.jpeg_quality);
 }
 
@@ -165,8 +166,11 @@ std::string onlyDataset(v1::CatalogService::Stub& stub, const Connection& connec
     std::string only;
     int count = 0;
     for (const v1::Dataset& dataset : response.datasets()) {
-        // Volumes of numbers colour glyphs and have none; tractograms are named by --tracts.
-        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM) continue;
+        // Volumes of numbers colour glyphs and have none, maps are light, meshes cut; tractograms are named by --tracts.
+        if (dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME || dataset.kind() == v1::DATASET_KIND_TRACTOGRAM ||
+            dataset.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP || dataset.kind() == v1::DATASET_KIND_MESH) {
+            continue;
+        }
         ids += (ids.empty() ? "" : ", ") + dataset.id();
         only = dataset.id();
         ++count;
@@ -252,6 +256,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     app.add_option("--mesh-level", options.mesh_level, "Subdivisions of that sphere, or bands of a grid (default 4, grids 20)");
     addWords(app, "--mesh-normals", options.mesh_normals, v1::MeshNormals_descriptor(),
              "Normals of tessellated glyphs (default analytic)");
+    app.add_flag("--fxaa", options.fxaa, "Smooth the edges of pictures of one sample");
     app.add_option("--jpeg-quality", options.jpeg_quality, "Quality of JPEG pictures, 1 to 100 (default 90)");
     addLightOptions(app, options.light);
     app.add_flag("--casts-no-shadows", options.no_casting, "The glyphs stand in nobody's light");
@@ -272,6 +277,7 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     if (alone || !options.dataset.empty()) addGlyphs(scene, options);
     setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
+    setShading(scene, options.light);
     if (!options.background.empty()) setVector(*scene.mutable_background(), options.background);
     scene.mutable_annotations()->set_convention(options.convention);
     scene.mutable_annotations()->set_hidden(options.no_annotations);

@@ -61,6 +61,7 @@ struct RequestOptions {
     std::optional<std::uint32_t> mesh_level;
     v1::MeshNormals mesh_normals = v1::MESH_NORMALS_UNSPECIFIED;
     std::optional<std::uint32_t> jpeg_quality;
+    bool fxaa = false;
     LightOptions light;
     bool no_casting = false;
     std::vector<double> background;

@@ -89,8 +89,13 @@ FibreBits& FibreBits::invert() {
     return *this;
 }
 
-FibreSelector::FibreSelector(std::shared_ptr<const model::FibletSet> set, MaskLookup masks, std::uint64_t cache_bytes)
-    : set_(std::move(set)), masks_(std::move(masks)), cache_bytes_(cache_bytes) {}
+FibreSelector::FibreSelector(std::shared_ptr<const model::FibletSet> set, MaskLookup masks, std::uint64_t cache_bytes,
+                             MeshLookup meshes)
+    : set_(std::move(set)), masks_(std::move(masks)), meshes_(std::move(meshes)), cache_bytes_(cache_bytes) {}
+
+std::unique_ptr<RegionVolume> FibreSelector::region(const std::string& text) const {
+    return regionVolume(model::parseRegion(text), masks_, meshes_);
+}
 
 FibreBits FibreSelector::select(const model::Selection& selection) {
     using Kind = model::Selection::Kind;
@@ -146,7 +151,7 @@ std::shared_ptr<const std::vector<std::uint8_t>> FibreSelector::flagsOf(const mo
             return found->second.flags;
         }
     }
-    const auto volume = regionVolume(region, masks_);
+    const auto volume = regionVolume(region, masks_, meshes_);
     auto flags = std::make_shared<const std::vector<std::uint8_t>>(fibreRegionFlags(*set_, *volume));
     std::lock_guard lock(mutex_);
     kept_[key] = {flags, ++clock_};
@@ -169,7 +174,7 @@ FibreBits FibreSelector::ordered(const model::Selection& selection) {
     for (const model::FibreRegion& region : selection.regions) {
         const auto flags = flagsOf(region);
         bits &= bitsWhere(flags->size(), [&](std::uint64_t f) { return accepts(model::RegionMode::kAny, (*flags)[f]); });
-        volumes.push_back(regionVolume(region, masks_));
+        volumes.push_back(regionVolume(region, masks_, meshes_));
     }
     // Only fibres that meet them all are decoded.
     const std::vector<std::uint32_t> candidates = bits.fibres();

@@ -42,11 +42,15 @@ class FibreSelector {
 public:
     /// \param masks        gives volumes by id, whenever a selection names one
     /// \param cache_bytes  of kept bits; the longest unused go first
+    /// \param meshes       gives surfaces by id
     FibreSelector(std::shared_ptr<const model::FibletSet> set, MaskLookup masks,
-                  std::uint64_t cache_bytes = std::uint64_t{1} << 28);
+                  std::uint64_t cache_bytes = std::uint64_t{1} << 28, MeshLookup meshes = {});
 
     /// \throws Error(kNotFound) naming the columns or groups there are, and as masks()
     FibreBits select(const model::Selection& selection);
+
+    /// One region written as in model/selection_text.h. \throws as regionVolume() and parseRegion()
+    std::unique_ptr<RegionVolume> region(const std::string& text) const;
 
     const model::FibletSet& set() const { return *set_; }
 
@@ -66,6 +70,7 @@ private:
 
     std::shared_ptr<const model::FibletSet> set_;
     MaskLookup masks_;
+    MeshLookup meshes_;
     std::uint64_t cache_bytes_;
     std::mutex mutex_;
     std::uint64_t clock_ = 0;

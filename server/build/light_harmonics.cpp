@@ -14,6 +14,7 @@ namespace {
 
 using Coefficients = std::array<std::vector<double>, 3>;
 constexpr double kPi = std::numbers::pi;
+constexpr int kOrderMax = 5;
 
 /// Adds weight * Y(direction), with a factor of its own for each band.
 void addDirection(Coefficients& sum, int order, const glm::dvec3& direction, const glm::dvec3& weight,
@@ -53,19 +54,33 @@ void addSky(Coefficients& sum, int order, const model::Sky& sky) {
     addDirection(sum, order, glm::normalize(sky.up), glm::dvec3(sky.gradient), only_band_1);
 }
 
-void addMap(Coefficients& sum, int order, const model::EnvironmentMap& map, double scale) {
+void addPixels(Coefficients& sum, int order, const model::EnvironmentMap& map) {
     for (int y = 0; y < map.height; ++y) {
         const double top = kPi * y / map.height, bottom = kPi * (y + 1) / map.height;
         const double area = 2 * kPi / map.width * (std::cos(top) - std::cos(bottom));
         for (int x = 0; x < map.width; ++x) {
             const glm::vec3& pixel =
                 map.pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(map.width) + static_cast<std::size_t>(x)];
-            addDirection(sum, order, environmentDirection(map, x + 0.5, y + 0.5), area * scale * glm::dvec3(pixel));
+            addDirection(sum, order, environmentDirection(map, x + 0.5, y + 0.5), area * glm::dvec3(pixel));
         }
     }
 }
 
+void addMap(Coefficients& sum, const model::EnvironmentMap& map, double scale) {
+    const Coefficients& known = map.harmonics[0].empty() ? environmentHarmonics(map) : map.harmonics;
+    for (std::size_t c = 0; c < 3; ++c) {
+        for (std::size_t i = 0; i < sum[c].size(); ++i) sum[c][i] += scale * known[c][i];
+    }
+}
+
 }  // namespace
+
+Coefficients environmentHarmonics(const model::EnvironmentMap& map) {
+    Coefficients sum;
+    for (auto& channel : sum) channel.assign(static_cast<std::size_t>(kOrderMax * kOrderMax), 0.0);
+    addPixels(sum, kOrderMax, map);
+    return sum;
+}
 
 glm::dvec3 environmentDirection(const model::EnvironmentMap& map, double x, double y) {
     const double turn = 2 * kPi * (x / map.width - 0.5), down = kPi * y / map.height;
@@ -91,7 +106,7 @@ Coefficients lightHarmonics(const model::Illumination& light, const model::Envir
     Coefficients sum;
     for (auto& channel : sum) channel.assign(static_cast<std::size_t>(order * order), 0.0);
     if (map != nullptr && light.environment) {
-        addMap(sum, order, *map, light.environment->scale);
+        addMap(sum, *map, double{light.environment->scale});
     } else {
         addSky(sum, order, light.sky);
     }

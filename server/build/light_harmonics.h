@@ -10,11 +10,15 @@
 namespace radiata {
 
 /// Coefficients of red, green and blue radiance, (order)^2 each, full layout, internal convention, world axes; the scene's
-/// rotation is applied by the recursion of Ivanic and Ruedenberg. Sky and discs in closed form; a map by a sum over its pixels,
-/// taken as even patches whose harmonics are those of their centres. \param map  of the environment, or null \throws
-/// Error(kInvalidArgument) for lights at a place in the scene, which no distant light can stand for
+/// rotation is applied by the recursion of Ivanic and Ruedenberg. Sky and discs in closed form; a map by its harmonics, or, if
+/// it has none, by a sum over its pixels, taken as even patches whose harmonics are those of their centres. \param map  of the
+/// environment, or null \throws Error(kInvalidArgument) for lights at a place in the scene, which no distant light can stand
+/// for
 std::array<std::vector<double>, 3> lightHarmonics(const model::Illumination& light, const model::EnvironmentMap* map,
                                                   int order);
+
+/// A map's radiance in spherical harmonics of order 5, as model::EnvironmentMap keeps them.
+std::array<std::vector<double>, 3> environmentHarmonics(const model::EnvironmentMap& map);
 
 /// Rotation matrix of a scene's light. \throws Error(kInvalidArgument) for a quaternion of length 0 or not finite
 glm::dmat3 lightRotation(const model::Illumination& light);

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "build/region_mesh.h"
+
 namespace radiata {
 namespace {
 
@@ -124,12 +126,15 @@ private:
 
 }  // namespace
 
-std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks) {
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks,
+                                           const MeshLookup& meshes) {
     switch (region.shape) {
         case model::RegionShape::kBox:
             return std::make_unique<Box>(region);
         case model::RegionShape::kHalfSpace:
             return std::make_unique<HalfSpace>(region);
+        case model::RegionShape::kMesh:
+            return meshVolume(*meshes(region.dataset));
         case model::RegionShape::kMask:
             return maskVolume(*masks(region.dataset), region.threshold);
         case model::RegionShape::kEllipsoid:

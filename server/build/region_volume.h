@@ -6,6 +6,7 @@
 
 #include "model/scalar_image.h"
 #include "model/selection.h"
+#include "model/triangle_mesh.h"
 
 namespace radiata {
 
@@ -27,8 +28,11 @@ public:
 /// The volume of a mask by its catalogue id. \throws Error(kNotFound, kInvalidArgument)
 using MaskLookup = std::function<std::shared_ptr<const model::ScalarImage>(const std::string& dataset)>;
 
-/// \throws as masks()
-std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks);
+/// The surface of a mesh by its catalogue id. \throws Error(kNotFound, kInvalidArgument)
+using MeshLookup = std::function<std::shared_ptr<const model::TriangleMesh>(const std::string& dataset)>;
+
+/// \throws as masks() and meshes(), Error(kInvalidArgument) for a mesh that is open
+std::unique_ptr<RegionVolume> regionVolume(const model::FibreRegion& region, const MaskLookup& masks, const MeshLookup& meshes);
 
 /// Voxels with a value above the threshold, each with all the space that is nearest to its centre along the voxel axes.
 std::unique_ptr<RegionVolume> maskVolume(const model::ScalarImage& image, double threshold);

@@ -12,22 +12,22 @@ vk::raii::ShaderModule makeModule(const Device::Impl& device, const Shader& shad
     return {device.device, vk::ShaderModuleCreateInfo{.codeSize = shader.spirv.size_bytes(), .pCode = shader.spirv.data()}};
 }
 
-vk::ShaderStageFlagBits flagOf(Stage stage) {
+vk::ShaderStageFlagBits flagOf(ShaderStage stage) {
     using Flag = vk::ShaderStageFlagBits;
     switch (stage) {
-        case Stage::kVertex:
+        case ShaderStage::kVertex:
             return Flag::eVertex;
-        case Stage::kGeometry:
+        case ShaderStage::kGeometry:
             return Flag::eGeometry;
-        case Stage::kTessellationControl:
+        case ShaderStage::kTessellationControl:
             return Flag::eTessellationControl;
-        case Stage::kTessellationEvaluation:
+        case ShaderStage::kTessellationEvaluation:
             return Flag::eTessellationEvaluation;
-        case Stage::kTask:
+        case ShaderStage::kTask:
             return Flag::eTaskEXT;
-        case Stage::kMesh:
+        case ShaderStage::kMesh:
             return Flag::eMeshEXT;
-        case Stage::kFragment:
+        case ShaderStage::kFragment:
             break;
     }
     return Flag::eFragment;

@@ -12,13 +12,13 @@
 namespace radiata::gpu {
 
 enum class Faces { kAll, kBack };  ///< back: those whose corners run clockwise as seen
-enum class Stage { kVertex, kGeometry, kTessellationControl, kTessellationEvaluation, kTask, kMesh, kFragment };
+enum class ShaderStage { kVertex, kGeometry, kTessellationControl, kTessellationEvaluation, kTask, kMesh, kFragment };
 /// What comes in; kPatches: one control point each. Of task and mesh shaders, and of geometry shaders, what goes out counts,
 /// and `kLines` says that it is lines.
 enum class Primitives { kTriangles, kLines, kLineStrips, kPointsToLines, kPatchesToLines };
 
 struct StageShader {
-    Stage stage;
+    ShaderStage stage;
     Shader shader;
 };
 

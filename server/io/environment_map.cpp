@@ -27,6 +27,7 @@ namespace radiata::io {
 namespace {
 
 constexpr std::uint64_t kFileBytesMax = 1ULL << 30;
+constexpr std::uint64_t kHeaderBytesMax = 65536;
 constexpr int kSideMax = 16384;
 
 /// The file's bytes for the library, which takes a file that ends early for one that goes on with whatever memory holds.
@@ -48,40 +49,53 @@ struct Bytes {
     static int end(void* self) { return static_cast<Bytes*>(self)->at >= static_cast<Bytes*>(self)->all.size(); }
 };
 
-}  // namespace
+Error corrupt(const ByteSource& file, const std::string& reason) {
+    return {Code::kCorrupt, file.name() + ": not a Radiance picture that can be read (" + reason + ")"};
+}
 
-model::EnvironmentMap readEnvironmentMap(const std::filesystem::path& path) {
-    ByteSource file(path);
+/// \param bytes  that the file begins with
+glm::ivec2 sizeOf(const ByteSource& file, const std::vector<std::byte>& bytes) {
     if (file.fileBytes() > kFileBytesMax) {
         throw Error(Code::kUnsupported, file.name() + ": " + std::to_string(file.fileBytes()) +
                                             " bytes are too many for an environment map; 1 GiB is the limit");
     }
-    std::vector<std::byte> bytes(file.fileBytes());
-    bytes.resize(file.read(bytes));
     const auto* data = reinterpret_cast<const stbi_uc*>(bytes.data());
     const int size = static_cast<int>(bytes.size());
-    const auto corrupt = [&](const std::string& reason) {
-        return Error(Code::kCorrupt, file.name() + ": not a Radiance picture that can be read (" + reason + ")");
-    };
-    if (!stbi_is_hdr_from_memory(data, size)) throw corrupt("it does not begin with #?RADIANCE or #?RGBE");
+    if (!stbi_is_hdr_from_memory(data, size)) throw corrupt(file, "it does not begin with #?RADIANCE or #?RGBE");
     int width = 0, height = 0, channels = 0;
-    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) throw corrupt(stbi_failure_reason());
+    if (!stbi_info_from_memory(data, size, &width, &height, &channels)) throw corrupt(file, stbi_failure_reason());
     if (width < 2 || height < 1 || width > kSideMax || height > kSideMax) {
         throw Error(Code::kUnsupported, file.name() + ": a picture of " + std::to_string(width) + "x" + std::to_string(height) +
                                             "; 2x1 to 16384x16384 are read");
     }
+    return {width, height};
+}
+
+}  // namespace
+
+glm::ivec2 readEnvironmentMapSize(const std::filesystem::path& path) {
+    ByteSource file(path);
+    std::vector<std::byte> bytes(std::min(file.fileBytes(), kHeaderBytesMax));
+    bytes.resize(file.read(bytes));
+    return sizeOf(file, bytes);
+}
+
+model::EnvironmentMap readEnvironmentMap(const std::filesystem::path& path) {
+    ByteSource file(path);
+    std::vector<std::byte> bytes(std::min(file.fileBytes(), kFileBytesMax));
+    bytes.resize(file.read(bytes));
+    glm::ivec2 size = sizeOf(file, bytes);
     // Runs of equal bytes shrink a row to a fiftieth at best; so a small file cannot ask for gigabytes.
-    if (static_cast<std::uint64_t>(width) * static_cast<std::uint64_t>(height) > bytes.size() * 64) {
-        throw corrupt("its header promises more pixels than the file can hold");
-    }
+    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
+    if (count > bytes.size() * 64) throw corrupt(file, "its header promises more pixels than the file can hold");
     Bytes source{std::move(bytes)};
     const stbi_io_callbacks reader{&Bytes::read, &Bytes::skip, &Bytes::end};
+    int channels = 0;
     const std::unique_ptr<float, void (*)(void*)> pixels(
-        stbi_loadf_from_callbacks(&reader, &source, &width, &height, &channels, 3), stbi_image_free);
-    if (source.cut_short) throw corrupt("it ends before its last pixel");
-    if (!pixels) throw corrupt(stbi_failure_reason());
-    model::EnvironmentMap map{width, height, {}, file.name()};
-    const std::size_t count = static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+        stbi_loadf_from_callbacks(&reader, &source, &size.x, &size.y, &channels, 3), stbi_image_free);
+    if (source.cut_short) throw corrupt(file, "it ends before its last pixel");
+    if (!pixels) throw corrupt(file, stbi_failure_reason());
+    model::EnvironmentMap map{size.x, size.y, {}, file.name(), {}};
     map.pixels.reserve(count);
     for (const float* rgb = pixels.get(); map.pixels.size() < count; rgb += 3) map.pixels.emplace_back(rgb[0], rgb[1], rgb[2]);
     checkEnvironmentMap(map);

@@ -12,6 +12,7 @@ namespace radiata::io {
 namespace {
 
 constexpr std::size_t kEntriesMax = 1'000'000;
+constexpr std::uint64_t kDeflateMost = 1032;
 constexpr std::size_t kReadMax = std::size_t{1} << 30;
 
 struct CloseZip {
@@ -81,8 +82,16 @@ private:
     std::string name_;
 };
 
+/// Deflate never shrinks by more than 1032 to 1, so what claims more is a trap; said before anybody reads it.
+void checkSize(const std::filesystem::path& path, const std::string& name, std::uint64_t bytes, std::uint64_t stored) {
+    if (bytes / kDeflateMost <= stored + 64) return;
+    throw Error(Code::kCorrupt, path.filename().string() + "/" + name + ": " + std::to_string(stored) +
+                                    " bytes of the zip file cannot hold " + std::to_string(bytes));
+}
+
 std::map<std::string, TrxFiles::Entry> entriesOfZip(const std::filesystem::path& path) {
     std::map<std::string, TrxFiles::Entry> entries;
+    std::uint64_t stored = 0;
     const Zip zip = openZip(path);
     for (int more = unzGoToFirstFile(zip.get()); more == UNZ_OK; more = unzGoToNextFile(zip.get())) {
         unz_file_info64 info;
@@ -101,6 +110,14 @@ std::map<std::string, TrxFiles::Entry> entriesOfZip(const std::filesystem::path&
                  .second) {
             throw Error(Code::kCorrupt, path.filename().string() + ": has two entries " + shown(name));
         }
+        checkSize(path, name, info.uncompressed_size, info.compressed_size);
+        stored += info.compressed_size;
+    }
+    std::error_code failure;
+    const std::uint64_t file_bytes = std::filesystem::file_size(path, failure);
+    if (!failure && stored > file_bytes) {
+        throw Error(Code::kCorrupt, path.filename().string() + ": its entries take " + std::to_string(stored) +
+                                        " bytes of a file of " + std::to_string(file_bytes) + "; they overlap");
     }
     return entries;
 }

@@ -12,9 +12,9 @@
 
 namespace radiata::model {
 
-/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms counts and bounds; the rest
-/// is about glyphs.
-enum class DatasetKind { kShImage, kScalarVolume, kTractogram };
+/// What a dataset holds. Scalar volumes have size, place and the range of their values, tractograms and meshes counts and
+/// bounds, environment maps their pixels as size and the range of their luminance; the rest is about glyphs.
+enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kEnvironmentMap, kMesh };
 
 struct FibreGroupSize {
     std::string name;
@@ -39,7 +39,8 @@ struct DatasetInfo {
     std::vector<FibreGroupSize> fibre_groups;                ///< of a tractogram that was read
     std::vector<std::string> fibre_columns, vertex_columns;  ///< names
     double error_mean_um = 0, error_max_um = 0;              ///< of drawn points against those of the file
-    std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram
+    std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram; points of a mesh too
+    std::uint64_t triangles = 0;                             ///< of a mesh
     float value_min = 0, value_max = 0;                      ///< of a scalar volume's finite values
     glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs; points of fibres
 };

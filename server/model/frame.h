@@ -40,6 +40,7 @@ struct Quality {
     FibletPipeline fiblet_pipeline = FibletPipeline::kAuto;
     FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
     std::optional<Camera> frozen_culling;   ///< fibres are drawn that two phases see from here, in a picture of the same size
+    bool fxaa = false;                      ///< pictures of one sample have their edges smoothed
     std::optional<float> fiblet_detail_px;  ///< that lines may be off, to be fewer; none: every segment is drawn
     IsosurfaceSettings isosurface;
     int jpeg_quality = 90;

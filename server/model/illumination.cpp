@@ -9,6 +9,7 @@ namespace {
 
 constexpr float kRadianceMax = 1000;
 constexpr float kIntensityMax = 1e9F;
+constexpr float kScaleMax = 1e6F;
 constexpr std::size_t kLightsMax = 16;
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(Code::kInvalidArgument, message); }
@@ -35,6 +36,11 @@ void checkLights(const Illumination& light, const std::string& where) {
                    field + " (a sky is nowhere negative)");
     }
     checkDirection(light.sky.up, where + ".sky.up");
+    if (light.environment) {
+        if (light.environment->id.empty())
+            refuse(where + ".environment.id is empty; the catalogue lists the names of environment maps");
+        checkRange(light.environment->scale, 0, kScaleMax, where + ".environment.scale");
+    }
     if (light.suns.size() > kLightsMax || light.lights.size() > kLightsMax) {
         refuse(where + " has " + std::to_string(light.suns.size()) + " suns and " + std::to_string(light.lights.size()) +
                " lights; at most 16 of each are used");
@@ -69,6 +75,13 @@ void validate(const Illumination& light, const std::string& where) {
         refuse(where + ".samples_max is " + std::to_string(samples) + "; it must be a power of two from 4 to 16384");
     }
     checkRange(light.budget_mib, 0.001, 1048576, where + ".budget_mib");
+    if (light.storage == TexelStorage::kRgb8 && light.payload == TexelPayload::kTransfer) {
+        refuse(where + ".storage is RGB8, which holds irradiance; transfer needs float16 or float32");
+    }
+    if (light.full && light.project) {
+        refuse(where +
+               ".full asks for all texels, which are lit on their own level sets; .project would light them on one surface");
+    }
     checkLights(light, where);
 }
 

@@ -48,29 +48,43 @@ struct EnvironmentMap {
     int width = 0, height = 0;
     std::vector<glm::vec3> pixels;
     std::string source;
+    /// Red, green and blue in spherical harmonics of order 5, not turned, of scale 1; empty unless build/light_harmonics.h
+    /// filled them in. Turning these costs nothing, summing up millions of pixels does.
+    std::array<std::vector<double>, 3> harmonics{};
+    std::uint32_t check = 0;  ///< of the pixels, where harmonics are
 };
 
+/// kLattice: texels beside the volume; kPathTracing: paths from each pixel's own point, kept by nobody.
+enum class IlluminationMethod { kLattice, kPathTracing };
 /// What a texel keeps, for each number of bounces: irradiance of this scene's light, or the transfer of any distant light.
 enum class TexelPayload { kIrradiance, kTransfer };
-enum class TexelStorage { kFloat32, kFloat16 };
+/// kRgb8: irradiance alone, of this light and this colour of the surface, all bounces together, as in the paper's Table 2.
+enum class TexelStorage { kFloat32, kFloat16, kRgb8 };
 /// Which texels light a point (Wyman et al., Fig. 6): of the eight around it the one of nearest value; the nearest one; all
 /// eight by distance; or 4 x 4 x 4 by a cubic B-spline.
 enum class TexelInterpolation { kOwnIsovalue, kNearest, kTrilinear, kTricubic };
+/// Points that a texel's paths are made of. Random ones are there for comparison.
+enum class TexelSampling { kLowDiscrepancy, kRandom };
 /// Texels per voxel: an eighth, one, or eight.
 enum class LatticeResolution { kEighth, kOne, kEight };
 
 constexpr int kBouncesMax = 4;
 
 struct Illumination {
+    IlluminationMethod method = IlluminationMethod::kLattice;
     TexelPayload payload = TexelPayload::kIrradiance;
     TexelStorage storage = TexelStorage::kFloat16;
     TexelInterpolation interpolation = TexelInterpolation::kTrilinear;
+    TexelSampling sampling = TexelSampling::kLowDiscrepancy;
     LatticeResolution resolution = LatticeResolution::kOne;
     int bounces = 3;                                         ///< 0 to 4
     std::array<int, kBouncesMax + 1> orders{5, 3, 2, 2, 2};  ///< of kTransfer, by bounce; 1 to 5
     bool project = true;  ///< at rest texels are lit on the shown surface; false: on their own level sets, as in the paper
-    float relative_error = 0.02F;  ///< standard error at which a texel is done, of its value or a floor of 0.01
-    int samples_max = 1024;        ///< per texel, a power of two from 4 to 16384
+    /// All texels, on their own level sets, in place of those that a picture needs; saved beside the dataset once they are
+    /// done.
+    bool full = false;
+    float relative_error = 0.02F;  ///< standard error at which a texel or pixel is done, of its value or a floor of 0.01
+    int samples_max = 1024;        ///< per texel or pixel, a power of two from 4 to 16384
     float budget_mib = 1024;       ///< device memory for texels
     Sky sky;
     std::vector<SunDisc> suns;
@@ -91,7 +105,7 @@ struct Illumination {
 /// \throws Error(kInvalidArgument) with the field and what would be right \param where  prefix of the fields' names
 void validate(const Illumination& light, const std::string& where);
 
-/// How far a picture's global light is.
+/// How far a picture's global light is. Of path tracing, the picture's pixels take the place of texels.
 struct IlluminationInfo {
     std::uint64_t texels = 0;           ///< of the whole lattice
     std::uint64_t texels_needed = 0;    ///< by the pixels of this picture
@@ -102,7 +116,10 @@ struct IlluminationInfo {
     double p95_error = 0;               ///< and 95th percentile
     double seconds = 0;                 ///< spent on texels for this picture
     std::uint64_t bytes = 0;            ///< device memory of texels
+    std::uint64_t payload_bytes = 0;    ///< of it: what the texels keep of light
+    std::uint64_t texels_read = 0;      ///< of the whole lattice: that came from a saved one
     bool projected = false;             ///< texels are lit on the shown surface
+    std::string saved;                  ///< of Illumination::full, once it is done: the file's name, or why there is none
     bool operator==(const IlluminationInfo&) const = default;
 };
 

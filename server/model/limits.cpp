@@ -1,11 +1,13 @@
 #include "model/limits.h"
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
 
 #include "base/error.h"
 #include "math/sh_layout.h"
+#include "model/selection_text.h"
 
 namespace radiata::model {
 namespace {
@@ -28,17 +30,19 @@ void checkSelection(const VoxelSelection& selection, const std::string& where) {
     }
 }
 
+void checkRange(const ColourRange& range, const std::string& where) {
+    const auto [low, high] = range;
+    if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
+        refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
+               "; both must be finite and the second above the first");
+    }
+}
+
 void checkColour(const GlyphColour& colour, const std::string& where) {
     if (colour.mode == ColourMode::kScalar && colour.image_id.empty()) {
         refuse(where + ".scalar.image_id is empty; it names a scalar volume of the catalogue");
     }
-    if (colour.usesMap() && colour.range) {
-        const auto [low, high] = *colour.range;
-        if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
-            refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
-                   "; both must be finite and the second above the first");
-        }
-    }
+    if (colour.usesMap() && colour.range) checkRange(*colour.range, where);
     for (int c = 0; colour.mode == ColourMode::kUniform && c < 3; ++c) {
         if (!(colour.uniform[c] >= 0 && colour.uniform[c] <= 1)) refuse(where + ".uniform must be 0 to 1 in each channel");
     }
@@ -77,6 +81,20 @@ void checkContent(const GlyphLayer& glyphs, const std::string& where) {
     }
 }
 
+/// Reads a selection or region to see that it can be, so that a bad one is refused when a scene is set. Empty is fine.
+void checkText(const std::string& text, std::string_view kind, const std::string& where) {
+    if (text.empty() && kind == "selection") return;
+    try {
+        if (kind == "selection") {
+            parseSelection(text);
+        } else {
+            parseRegion(text);
+        }
+    } catch (const Error& error) {
+        refuse(where + ": " + error.what());
+    }
+}
+
 void checkFibres(const FibreSet& fibres, const std::string& where) {
     for (const std::optional<float>& bound : {fibres.length_min_mm, fibres.length_max_mm}) {
         if (bound && !(*bound >= 0 && std::isfinite(*bound))) {
@@ -88,7 +106,35 @@ void checkFibres(const FibreSet& fibres, const std::string& where) {
     }
 }
 
+void checkFilters(const TractogramLayer& tracts, const std::string& where) {
+    if (std::max(tracts.region_cuts.size(), tracts.criteria.size()) > kFibreFiltersMax) {
+        refuse(where + " has " + std::to_string(tracts.region_cuts.size()) + " region_cuts and " +
+               std::to_string(tracts.criteria.size()) + " criteria; at most " + std::to_string(kFibreFiltersMax) +
+               " of each are possible");
+    }
+    for (std::size_t i = 0; i < tracts.region_cuts.size(); ++i) {
+        checkText(tracts.region_cuts[i].region, "region", where + ".region_cuts[" + std::to_string(i) + "].region");
+    }
+    for (std::size_t i = 0; i < tracts.criteria.size(); ++i) {
+        const FibreCriterion& criterion = tracts.criteria[i];
+        const std::string at = where + ".criteria[" + std::to_string(i) + "]";
+        if (criterion.column.empty()) refuse(at + ".column is empty; the catalogue lists the columns");
+        if (!(criterion.low <= criterion.high)) {
+            refuse(at + " keeps values from " + std::to_string(criterion.low) + " to " + std::to_string(criterion.high) +
+                   "; the first must be at most the second");
+        }
+    }
+    checkText(tracts.shown.selection, "selection", where + ".shown.selection");
+    if (tracts.selected) checkText(tracts.selected->selection, "selection", where + ".selected.selection");
+    if (tracts.colour.mode == FibreColourMode::kDistance) {
+        if (tracts.colour.region.empty())
+            refuse(where + ".colour.distance.region is empty; it is one region, such as sphere(0, 0, 0, 5)");
+        checkText(tracts.colour.region, "region", where + ".colour.distance.region");
+    }
+}
+
 void checkContent(const TractogramLayer& tracts, const std::string& where) {
+    checkFilters(tracts, where);
     if (tracts.line_width_px < 1 || tracts.line_width_px > kLineWidthMax) {
         refuse(where + ".line_width_px is " + std::to_string(tracts.line_width_px) + "; it must be 1 to " +
                std::to_string(kLineWidthMax));
@@ -113,8 +159,9 @@ void checkContent(const TractogramLayer& tracts, const std::string& where) {
         }
     }
     const FibreColour& colour = tracts.colour;
-    if (colour.mode == FibreColourMode::kColumn && colour.column.empty()) {
-        refuse(where + ".colour.column.name is empty; the catalogue lists the columns");
+    const bool by_column = colour.mode == FibreColourMode::kColumn || colour.mode == FibreColourMode::kPointColumn;
+    if (by_column && colour.column.empty()) {
+        refuse(where + ".colour names an empty column; the catalogue lists the columns");
     }
     if (colour.range &&
         !(std::isfinite(colour.range->low) && std::isfinite(colour.range->high) && colour.range->low < colour.range->high)) {
@@ -138,6 +185,14 @@ void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
         if (surface.colour[c] >= 0 && surface.colour[c] <= 1) continue;
         refuse(where + ".colour." + "xyz"[c] + " is " + std::to_string(surface.colour[c]) + "; it must be 0 to 1");
     }
+    if (surface.fog && !(*surface.fog > 0 && *surface.fog <= 1)) {
+        refuse(where + ".fog is " + std::to_string(*surface.fog) + "; it must be above 0 and at most 1");
+    }
+    if (!surface.colour_by) return;
+    if (surface.colour_by->image_id.empty()) {
+        refuse(where + ".colour_by.image_id is empty; it names a scalar volume of the catalogue");
+    }
+    if (surface.colour_by->range) checkRange(*surface.colour_by->range, where + ".colour_by");
 }
 
 void checkIsosurfaces(const IsosurfaceSettings& settings) {

@@ -65,6 +65,13 @@ struct PickedSurface {
     double value = 0;           ///< of the trilinear volume there
 };
 
+/// Fibres of one layer within an outline.
+struct PickedFibres {
+    int layer = 0;
+    std::string dataset_id;
+    std::vector<std::uint32_t> fibres;  ///< ascending
+};
+
 using Picked = std::variant<PickedGlyph, PickedFibre, PickedSurface>;
 /// How far from the pixel fibres are looked for.
 constexpr int kPickRadiusMax = 64;

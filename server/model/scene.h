@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 
 #include "math/colour_map.h"
+#include "model/colour_range.h"
 #include "model/illumination.h"
 #include "model/isosurface_layer.h"
 #include "model/tractogram_layer.h"
@@ -42,12 +43,6 @@ struct GlyphScale {
 };
 
 enum class ColourMode { kDirection, kRadius, kScalar, kUniform };
-
-struct ColourRange {
-    float low = 0;
-    float high = 1;
-    bool operator==(const ColourRange&) const = default;
-};
 
 /// Where the base colour of a glyph's surface comes from.
 struct GlyphColour {

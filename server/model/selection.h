@@ -16,6 +16,7 @@ enum class RegionShape {
     kBox,        ///< low <= p <= high
     kHalfSpace,  ///< dot(p - point, normal) <= 0
     kMask,       ///< the voxel that holds p has a value above the threshold
+    kMesh,       ///< inside of a closed surface of triangles
 };
 
 /// A part of space, world mm, RAS.
@@ -24,7 +25,7 @@ struct FibreRegion {
     glm::dvec3 centre{0};  ///< of an ellipsoid; low corner of a box; point of a half space
     glm::dmat3 axes{1.0};  ///< of an ellipsoid: columns are its three half axes, in any directions that span space
     glm::dvec3 high{0};    ///< high corner of a box; normal of a half space, of any length but 0
-    std::string dataset;   ///< of a mask: catalogue id of a scalar volume
+    std::string dataset;   ///< of a mask: catalogue id of a scalar volume; of a mesh: of a surface
     double threshold = 0.5;
     bool operator==(const FibreRegion&) const = default;
 };

@@ -19,6 +19,13 @@ class Parser {
 public:
     explicit Parser(std::string_view text) : text_(text) {}
 
+    FibreRegion parseRegion() {
+        FibreRegion only = region();
+        skipBlanks();
+        if (at_ < text_.size()) fail("the end");
+        return only;
+    }
+
     Selection parse() {
         if (text_.size() > kSelectionTextMax) {
             throw Error(Code::kInvalidArgument, "selection has " + std::to_string(text_.size()) + " characters; at most " +
@@ -275,6 +282,13 @@ private:
             require(')');
             return region;
         }
+        if (takeWord("mesh")) {
+            region.shape = RegionShape::kMesh;
+            require('(');
+            region.dataset = name();
+            require(')');
+            return region;
+        }
         if (takeWord("sphere")) {
             const std::vector<double> n = numbersOf(4, 4, "sphere(x, y, z, radius)");
             region.centre = {n[0], n[1], n[2]};
@@ -295,7 +309,7 @@ private:
             ellipsoid(region);
         } else {
             fail(
-                "a region or filter (sphere, box, ellipsoid, plane, mask, order, length, column, group, fibres, share, "
+                "a region or filter (sphere, box, ellipsoid, plane, mask, mesh, order, length, column, group, fibres, share, "
                 "sample)");
         }
         return region;
@@ -337,6 +351,8 @@ std::string exact(const glm::dvec3& v) { return exact(v.x) + "," + exact(v.y) + 
 
 Selection parseSelection(std::string_view text) { return Parser(text).parse(); }
 
+FibreRegion parseRegion(std::string_view text) { return Parser(text.substr(0, kSelectionTextMax)).parseRegion(); }
+
 std::string regionText(const FibreRegion& region) {
     switch (region.shape) {
         case RegionShape::kEllipsoid:
@@ -346,6 +362,8 @@ std::string regionText(const FibreRegion& region) {
             return "box(" + exact(region.centre) + "," + exact(region.high) + ")";
         case RegionShape::kHalfSpace:
             return "plane(" + exact(region.centre) + "," + exact(region.high) + ")";
+        case RegionShape::kMesh:
+            return "mesh(\"" + region.dataset + "\")";
         case RegionShape::kMask:
             return "mask(\"" + region.dataset + "\"," + exact(region.threshold) + ")";
     }

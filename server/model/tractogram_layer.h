@@ -14,7 +14,7 @@
 namespace radiata::model {
 
 /// Numbers as in shaders/shared/layer_look.glsl.
-enum class FibreColourMode { kDirection, kUniform, kFibre, kGroup, kColumn, kLength };
+enum class FibreColourMode { kDirection, kUniform, kFibre, kGroup, kColumn, kLength, kPointColumn, kDistance, kEnds };
 
 struct FibreColourRange {
     float low = 0;
@@ -25,11 +25,16 @@ struct FibreColourRange {
 /// Where the base colour of a fibre comes from.
 struct FibreColour {
     FibreColourMode mode = FibreColourMode::kDirection;
-    ColourMap map = ColourMap::kViridis;    ///< kColumn and kLength
+    ColourMap map = ColourMap::kViridis;    ///< where usesMap()
     std::optional<FibreColourRange> range;  ///< of the map: values of the column, or mm; none: those of the whole tractogram
-    std::string column;                     ///< kColumn: a column of values per fibre
+    std::string column;                     ///< kColumn: a column of values per fibre; kPointColumn: per point
+    int component = 0;                      ///< kPointColumn: of a column of vectors
+    std::string region;                     ///< kDistance: one region as in selection_text.h
     glm::vec3 uniform{0.5F};                ///< kUniform: linear RGB
-    bool usesMap() const { return mode == FibreColourMode::kColumn || mode == FibreColourMode::kLength; }
+    bool usesMap() const {
+        return mode == FibreColourMode::kColumn || mode == FibreColourMode::kLength || mode == FibreColourMode::kPointColumn ||
+               mode == FibreColourMode::kDistance;
+    }
     bool operator==(const FibreColour&) const = default;
 };
 
@@ -40,11 +45,26 @@ struct FibreCut {
     bool operator==(const FibreCut&) const = default;
 };
 
+/// Shows the segments whose middle lies in a region, or those whose middle does not.
+struct FibreRegionCut {
+    std::string region;  ///< one region as in selection_text.h
+    bool outside = false;
+    bool operator==(const FibreRegionCut&) const = default;
+};
+
+/// Shows what has values within bounds, ends included: fibres by a column per fibre, segments by the mean of their two points.
+struct FibreCriterion {
+    std::string column;
+    float low = 0, high = 0;  ///< may be infinite
+    bool operator==(const FibreCriterion&) const = default;
+};
+
 /// A set of fibres: those that pass every condition.
 struct FibreSet {
     std::vector<std::string> groups;  ///< in any of them; empty: no condition
     std::optional<float> length_min_mm, length_max_mm;
     std::vector<std::uint32_t> fibres;  ///< by number; empty: no condition
+    std::string selection;              ///< as in selection_text.h; empty: no condition
     bool isAll() const { return *this == FibreSet{}; }
     bool operator==(const FibreSet&) const = default;
 };
@@ -60,7 +80,10 @@ struct TractogramLayer {
     std::optional<float> tube_radius_mm;  ///< capsules; none: lines
     std::optional<float> occlusion_px;    ///< radius of ambient occlusion in screen space; none: there is none
     std::optional<float> halo_px;         ///< width of dark borders around nearer fibres
+    bool exact_width = false;             ///< lines are line_width_px wide across, not along a row or column of pixels
     std::vector<FibreCut> cuts;
+    std::vector<FibreRegionCut> region_cuts;
+    std::vector<FibreCriterion> criteria;
     FibreSet shown;                    ///< the others are left out
     std::optional<FibreSet> selected;  ///< stand out of those shown: with tube_radius_mm, these alone are tubes
     UnselectedFibres unselected = UnselectedFibres::kDimmed;
@@ -84,6 +107,7 @@ enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
 
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;
+constexpr std::size_t kFibreFiltersMax = 16;  ///< region cuts, and criteria
 constexpr float kTubeRadiusMaxMm = 100;
 constexpr float kFibreOcclusionMaxPx = 128;
 constexpr float kHaloMaxPx = 8;

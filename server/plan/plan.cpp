@@ -12,6 +12,7 @@
 #include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
 #include "plan/tensor_methods.h"
+#include "plan/value_range.h"
 
 namespace radiata::plan {
 namespace {
@@ -186,10 +187,7 @@ model::ColourRange colourRange(const model::GlyphColour& colour, const LayerFact
     if (colour.mode == model::ColourMode::kRadius) {
         return {0, facts.radius_typical_mm > 0 ? static_cast<float>(facts.radius_typical_mm) : 1};
     }
-    const auto low = static_cast<float>(facts.value_min), high = static_cast<float>(facts.value_max);
-    // A volume of one value, or of a span that no float holds, still needs a range.
-    if (low < high && std::isfinite(high - low)) return {low, high};
-    return {low, low + std::max(1.0F, std::abs(low))};
+    return valueRange(static_cast<float>(facts.value_min), static_cast<float>(facts.value_max));
 }
 
 }  // namespace
@@ -220,7 +218,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         if (!request.scene.layers[i].ifGlyphs()) {
             plan.glyphs.emplace_back();
             if (request.scene.layers[i].ifTracts()) planFiblets(i, layers[i], abilities, plan);
-            if (request.scene.layers[i].ifSurface()) planIsosurface(plan, i, layers[i]);
+            if (request.scene.layers[i].ifSurface()) planIsosurface(plan, i, layers[i], abilities);
             continue;
         }
         const std::string where = "scene.layers[" + std::to_string(i) + "].glyphs";
@@ -251,12 +249,14 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     }
     markFirst(plan.passes);
     planVeil(plan);
+    planPeels(plan);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);
     planUncertainty(plan, layers, abilities);
     planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
     plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
+    if (plan.resolved.quality.fxaa) plan.passes.push_back({PassKind::kFxaa, "fxaa", "fxaa", -1});
     return plan;
 }
 

@@ -40,12 +40,14 @@ struct LayerFacts {
     double depth_complexity = 1;            ///< estimate: glyph boxes along one ray
     double radius_typical_mm = 0;           ///< of the typical amplitude
     double value_min = 0, value_max = 0;    ///< of the volume that colours the layer or is its isosurface, if there is one
+    model::ColourRange colours;             ///< values of the volume that colours an isosurface
     double value_split = 0;                 ///< of an isosurface's volume: what splits it best in two
     bool odd_bands_only = false;            ///< all even bands of a full layout are 0
     bool camera_close = false;              ///< the eye is inside or next to some glyph, where the pole frame is not defined
     double voxel_edge_mm = 0;               ///< the shortest
     double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
     std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
+    bool segments_filtered = false;         ///< single segments of them are left out
     std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
@@ -80,14 +82,18 @@ enum class PassKind {
     kRasterSurface,    ///< what was drawn, into the surface buffer
     kFiblets,          ///< culls, draws and hands on a layer of fibres
     kClear,            ///< an empty surface buffer, where no pass writes all of it
+    kFibletPeels,      ///< a transparent layer of fibres, segment by segment from the front, over the surface buffer
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
+    kIsosurfaceMesh,   ///< the same by its triangles
     kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
     kIllumination,     ///< global light of an isosurface, and the texels that it lacks
+    kPixelPaths,       ///< global light of an isosurface by paths from its pixels
     kSunTable,
     kShadow,
     kOcclusion,
     kLight,
-    kResolve
+    kResolve,
+    kFxaa  ///< smooths a resolved picture of one sample
 };
 
 /// One pass, in order of execution.
@@ -112,15 +118,25 @@ struct FramePlan {
     std::uint32_t layer_kinds = 0;
     bool fibre_occlusion = false, fibre_halos = false;  ///< some layer has them
     std::uint32_t fibre_colours = 0;                    ///< bit 1 << model::FibreColourMode for each that some layer has
+    std::uint32_t surface_looks = 0;                    ///< shader::SURFACE_LOOKS_...: what some isosurface has of its own
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;
 
-    bool usesVeil() const {
-        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+    bool usesPeels() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kFibletPeels; });
     }
+    bool usesVeil() const {
+        return usesPeels() ||
+               std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIsosurfaceVeil; });
+    }
+    bool usesPathTracing() const {
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kPixelPaths; });
+    }
+    /// By a lattice or by paths.
     bool usesGlobalLight() const {
-        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIllumination; });
+        return usesPathTracing() ||
+               std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kIllumination; });
     }
     bool usesUncertainty() const {
         return std::ranges::any_of(uncertainty, [](const auto& second) { return second.has_value(); });

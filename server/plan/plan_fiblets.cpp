@@ -12,7 +12,8 @@ namespace {
 /// Ends of a colour map that the request leaves open.
 model::FibreColourRange fibreRange(const model::FibreColour& colour, const LayerFacts& facts) {
     if (colour.range) return *colour.range;
-    const float low = colour.mode == model::FibreColourMode::kLength ? 0 : static_cast<float>(facts.value_min);
+    const bool from_zero = colour.mode == model::FibreColourMode::kLength || colour.mode == model::FibreColourMode::kDistance;
+    const float low = from_zero ? 0 : static_cast<float>(facts.value_min);
     const auto high = static_cast<float>(facts.value_max);
     if (low < high && std::isfinite(high - low)) return {low, high};
     return {low, low + std::max(1.0F, std::abs(low))};
@@ -94,7 +95,9 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     fiblets.tubes = layer.tube_radius_mm.has_value();
     fiblets.selected_only = fiblets.tubes && layer.selected.has_value();
     fiblets.lines = !fiblets.tubes || fiblets.selected_only;
-    fiblets.states = layer.selected.has_value() || !layer.shown.isAll();
+    fiblets.states = layer.selected.has_value() || !layer.shown.isAll() || !layer.criteria.empty();
+    fiblets.segments = facts.segments_filtered;
+    fiblets.exact_width = layer.exact_width && fiblets.lines;
     fiblets.dimmed = layer.selected.has_value() && layer.unselected == model::UnselectedFibres::kDimmed;
     fiblets.cuts = static_cast<std::uint32_t>(layer.cuts.size());
     fiblets.line_width_px = layer.line_width_px;
@@ -104,9 +107,33 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);
     }
     plan.fiblets[index] = fiblets;
+    // What is transparent hides nothing of its own.
+    if (plan.resolved.scene.layers[index].opacity < 1) {
+        if (fiblets.culling == model::FibletCulling::kTwoPhase) plan.fiblets[index]->culling = model::FibletCulling::kFrustum;
+        return;
+    }
     const std::string suffix = plan.fiblets.size() > 1 ? " " + std::to_string(index) : "";
     plan.passes.push_back(
         {PassKind::kFiblets, "fiblet raster" + suffix, fibletShader(fiblets.pipeline), static_cast<int>(index)});
+}
+
+void planPeels(FramePlan& plan) {
+    const std::vector<model::Layer>& layers = plan.resolved.scene.layers;
+    const bool veil = plan.usesVeil();
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!layers[i].ifTracts() || layers[i].opacity >= 1) continue;
+        const std::string where = "scene.layers[" + std::to_string(i) + "].opacity is below 1; ";
+        if (veil || plan.usesPeels()) {
+            throw Error(Code::kUnsupported, where +
+                                                "one layer of fibres of a scene can be transparent, and none beside a "
+                                                "transparent isosurface");
+        }
+        if (plan.resolved.quality.frozen_culling) {
+            throw Error(Code::kUnsupported, where + "quality.frozen_culling shows what opaque fibres hide, so draw without it");
+        }
+        const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
+        plan.passes.push_back({PassKind::kFibletPeels, "fiblet peel" + suffix, "fiblet_raster", static_cast<int>(i)});
+    }
 }
 
 }  // namespace radiata::plan

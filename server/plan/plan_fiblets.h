@@ -20,6 +20,8 @@ struct FibletPlan {
     bool selected_only = false;  ///< of the tubes: those of selected fibres
     bool states = false;         ///< fibres are hidden or selected one by one
     bool dimmed = false;         ///< those that are not selected
+    bool segments = false;       ///< single segments are left out
+    bool exact_width = false;    ///< lines have their width across
     std::uint32_t cuts = 0;
     int line_width_px = 1;
     float tube_radius_mm = 0;
@@ -29,5 +31,9 @@ struct FibletPlan {
 /// Adds a layer's pass and its entry in plan.fiblets, and fills in its open choices.
 /// \throws Error(kUnsupported) for a pipeline that the device lacks, saying what it lacks
 void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& abilities, FramePlan& plan);
+
+/// Adds the pass of a transparent layer, after all that write the surface buffer.
+/// \throws Error(kUnsupported) for a second one, one beside transparent isosurfaces, and one with frozen culling
+void planPeels(FramePlan& plan);
 
 }  // namespace radiata::plan

@@ -8,8 +8,9 @@
 namespace radiata::plan {
 
 /// Fills in the isovalue of layer `index`, and adds its pass if it is opaque.
-/// \throws Error(kInvalidArgument) for an isovalue outside the volume's values, with their range
-void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts);
+/// \throws Error(kInvalidArgument) for an isovalue outside the volume's values, with their range, Error(kUnsupported) for
+/// triangles where none are drawn
+void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts, const Abilities& abilities);
 
 /// Adds the one pass of all transparent isosurfaces, if there are any; after everything that writes the surface buffer.
 void planVeil(FramePlan& plan);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace radiata::reference {
 namespace {
@@ -96,6 +97,8 @@ std::vector<Interval> insideIntervals(const model::FibreRegion& region, const mo
             return inBox(region, a, b);
         case model::RegionShape::kHalfSpace:
             return inHalfSpaces({{region.centre, region.high}}, a, b);
+        case model::RegionShape::kMesh:
+            throw std::invalid_argument("regions by meshes are answered point by point: reference/winding_number.h");
         case model::RegionShape::kMask:
             break;
     }

@@ -5,18 +5,32 @@
 #include <cmath>
 #include <utility>
 
+#include "reference/cubic.h"
+
 namespace radiata::reference {
 namespace {
 
-/// Weights of four neighbouring samples of a uniform cubic B-spline at fraction u, and their derivatives.
-std::array<double, 4> splineWeights(double u) {
-    const double v = 1 - u;
-    return {v * v * v / 6, (3 * u * u * u - 6 * u * u + 4) / 6, (3 * v * v * v - 6 * v * v + 4) / 6, u * u * u / 6};
+/// Uniform B-spline of the given degree, its support centred on 0, by the recursion of Cox and de Boor.
+double bSpline(int degree, double x) {
+    if (degree == 0) return x >= -0.5 && x < 0.5 ? 1 : 0;
+    const double half = 0.5 * (degree + 1);
+    return ((half + x) * bSpline(degree - 1, x + 0.5) + (half - x) * bSpline(degree - 1, x - 0.5)) / degree;
 }
-std::array<double, 4> splineSlopes(double u) {
-    const double v = 1 - u;
-    return {-v * v / 2, (3 * u * u - 4 * u) / 2, (4 * v - 3 * v * v) / 2, u * u / 2};
-}
+
+/// Of the four samples around p along one axis: the cubic spline's weights and their derivatives. The derivative of a B-spline
+/// is the difference of two of the degree below, half a step to either side.
+struct AxisWeights {
+    int first;
+    std::array<double, 4> weight, slope;
+
+    explicit AxisWeights(double p) : first(static_cast<int>(std::floor(p)) - 1) {
+        for (std::size_t i = 0; i < 4; ++i) {
+            const double x = p - (first + static_cast<double>(i));
+            weight[i] = bSpline(3, x);
+            slope[i] = bSpline(2, x + 0.5) - bSpline(2, x - 0.5);
+        }
+    }
+};
 
 /// The stretch of a ray inside the box [0, high].
 std::pair<double, double> clip(const glm::dvec3& origin, const glm::dvec3& direction, const glm::dvec3& high, double t_max) {
@@ -37,6 +51,9 @@ std::pair<double, double> clip(const glm::dvec3& origin, const glm::dvec3& direc
 }  // namespace
 
 ScalarField::ScalarField(glm::ivec3 size, std::vector<double> values) : size_(size), values_(std::move(values)) {}
+
+ScalarField::ScalarField(const model::ScalarImage& image)
+    : size_(image.size), values_(image.values.begin(), image.values.end()) {}
 
 ScalarField::ScalarField(glm::ivec3 size, const std::function<double(const glm::dvec3&)>& function) : size_(size) {
     for (int z = 0; z < size.z; ++z) {
@@ -70,33 +87,97 @@ double ScalarField::value(const glm::dvec3& position) const {
     return result;
 }
 
-glm::dvec3 ScalarField::smoothGradient(const glm::dvec3& p) const {
-    const glm::ivec3 c(glm::floor(p));
-    std::array<std::array<double, 4>, 3> weights, slopes;
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        const auto i = static_cast<int>(axis);
-        weights[axis] = splineWeights(p[i] - c[i]);
-        slopes[axis] = splineSlopes(p[i] - c[i]);
+glm::ivec3 ScalarField::cellOf(const glm::dvec3& p) const {
+    return glm::clamp(glm::ivec3(glm::floor(p)), glm::ivec3(0), glm::max(size_ - 2, glm::ivec3(0)));
+}
+
+std::array<double, 8> ScalarField::cornersOf(const glm::ivec3& cell) const {
+    std::array<double, 8> corners{};
+    for (int n = 0; n < 8; ++n) {
+        corners[static_cast<std::size_t>(n)] = sample(cell.x + (n & 1), cell.y + (n >> 1 & 1), cell.z + (n >> 2));
     }
-    glm::dvec3 gradient(0);
-    for (int z = 0; z < 4; ++z) {
-        for (int y = 0; y < 4; ++y) {
-            for (int x = 0; x < 4; ++x) {
-                const double s = sample(c.x + x - 1, c.y + y - 1, c.z + z - 1);
-                const auto i = static_cast<std::size_t>(x), j = static_cast<std::size_t>(y), k = static_cast<std::size_t>(z);
-                gradient +=
-                    s * glm::dvec3(slopes[0][i] * weights[1][j] * weights[2][k], weights[0][i] * slopes[1][j] * weights[2][k],
-                                   weights[0][i] * weights[1][j] * slopes[2][k]);
-            }
-        }
+    return corners;
+}
+
+glm::dvec3 ScalarField::gradient(const glm::dvec3& p) const {
+    // Along each axis the trilinear function is linear, so its slope is the difference of its ends.
+    const glm::ivec3 cell = cellOf(p);
+    const std::array<double, 8> corners = cornersOf(cell);
+    glm::dvec3 gradient;
+    for (int axis = 0; axis < 3; ++axis) {
+        glm::dvec3 low = p - glm::dvec3(cell), high = low;
+        low[axis] = 0;
+        high[axis] = 1;
+        gradient[axis] = cellValue(corners, high) - cellValue(corners, low);
     }
     return gradient;
 }
 
+double ScalarField::splineValue(const glm::dvec3& p) const {
+    const AxisWeights x(p.x), y(p.y), z(p.z);
+    double sum = 0;
+    for (int n = 0; n < 64; ++n) {
+        const int i = n & 3, j = n >> 2 & 3, k = n >> 4;
+        sum += x.weight[static_cast<std::size_t>(i)] * y.weight[static_cast<std::size_t>(j)] *
+               z.weight[static_cast<std::size_t>(k)] * sample(x.first + i, y.first + j, z.first + k);
+    }
+    return sum;
+}
+
+glm::dvec3 ScalarField::splineGradient(const glm::dvec3& p) const {
+    const AxisWeights x(p.x), y(p.y), z(p.z);
+    glm::dvec3 sum(0);
+    for (std::size_t n = 0; n < 64; ++n) {
+        const std::size_t i = n & 3U, j = n >> 2U & 3U, k = n >> 4U;
+        const double value =
+            sample(x.first + static_cast<int>(i), y.first + static_cast<int>(j), z.first + static_cast<int>(k));
+        sum += value * glm::dvec3(x.slope[i] * y.weight[j] * z.weight[k], x.weight[i] * y.slope[j] * z.weight[k],
+                                  x.weight[i] * y.weight[j] * z.slope[k]);
+    }
+    return sum;
+}
+
 glm::dvec3 ScalarField::outwardNormal(const glm::dvec3& p) const {
-    const glm::dvec3 gradient = smoothGradient(p);
+    const glm::dvec3 gradient = splineGradient(p);
     const double length = glm::length(gradient);
     return length > 0 ? -gradient / length : glm::dvec3(0);
+}
+
+std::optional<ScalarField::Hit> ScalarField::firstHit(const glm::dvec3& origin, const glm::dvec3& direction, double iso,
+                                                      double t_min, double t_max) const {
+    // Where the ray is within the volume at all, and every parameter at which it crosses a plane of the grid.
+    double begin = t_min, end = t_max;
+    std::vector<double> crossings;
+    for (int axis = 0; axis < 3; ++axis) {
+        const double last = size_[axis] - 1;
+        if (direction[axis] == 0) {
+            if (origin[axis] < 0 || origin[axis] > last) return std::nullopt;
+            continue;
+        }
+        const double a = -origin[axis] / direction[axis], b = (last - origin[axis]) / direction[axis];
+        begin = std::max(begin, std::min(a, b));
+        end = std::min(end, std::max(a, b));
+        for (int plane = 0; plane < size_[axis]; ++plane) crossings.push_back((plane - origin[axis]) / direction[axis]);
+    }
+    if (!(begin <= end)) return std::nullopt;
+    std::erase_if(crossings, [&](double t) { return t <= begin || t >= end; });
+    crossings.push_back(end);
+    std::ranges::sort(crossings);
+    double from = begin;
+    for (const double to : crossings) {
+        const glm::ivec3 cell = cellOf(origin + 0.5 * (from + to) * direction);
+        const std::array<double, 8> corners = cornersOf(cell);
+        if (std::ranges::all_of(corners, [](double corner) { return std::isfinite(corner); })) {
+            const auto place = [&](double t) {
+                return glm::clamp(origin + t * direction - glm::dvec3(cell), glm::dvec3(0), glm::dvec3(1));
+            };
+            if (const auto root = firstChordRoot(corners, iso, place(from), place(to))) {
+                return Hit{from + root->u * (to - from), root->margin};
+            }
+        }
+        from = to;
+    }
+    return std::nullopt;
 }
 
 std::optional<double> ScalarField::firstCrossing(const glm::dvec3& origin, const glm::dvec3& direction, double t_max,

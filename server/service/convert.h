@@ -36,7 +36,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where);
 model::TensorMarchSettings fromProto(const v1::TensorMarch& settings, const std::string& where);
 model::TensorShape fromProto(v1::TensorShape shape, const std::string& where);
 model::Illumination fromProto(const v1::Illumination& message, const std::string& where);
-model::IsosurfaceLayer fromProto(const v1::IsosurfaceLayer& message);
+model::IsosurfaceLayer fromProto(const v1::IsosurfaceLayer& message, const std::string& where);
 model::IsosurfaceSettings fromProto(const v1::IsosurfaceSettings& message, const std::string& where);
 model::FrameRequest fromProto(const v1::FrameRequest& request, const std::string& where);
 session::Change fromProto(const v1::UpdateRequest& request);

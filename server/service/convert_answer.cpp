@@ -95,10 +95,12 @@ v1::Frame toProto(session::StreamFrame&& frame, const model::Outputs& outputs) {
 v1::Dataset toProto(const model::DatasetInfo& info) {
     v1::Dataset message;
     message.set_id(info.id);
-    message.set_kind(info.kind == model::DatasetKind::kTractogram     ? v1::DATASET_KIND_TRACTOGRAM
-                     : info.kind == model::DatasetKind::kScalarVolume ? v1::DATASET_KIND_SCALAR_VOLUME
-                     : info.tensor_order > 0                          ? v1::DATASET_KIND_TENSOR_IMAGE
-                                                                      : v1::DATASET_KIND_SH_IMAGE);
+    message.set_kind(info.kind == model::DatasetKind::kTractogram       ? v1::DATASET_KIND_TRACTOGRAM
+                     : info.kind == model::DatasetKind::kScalarVolume   ? v1::DATASET_KIND_SCALAR_VOLUME
+                     : info.kind == model::DatasetKind::kEnvironmentMap ? v1::DATASET_KIND_ENVIRONMENT_MAP
+                     : info.kind == model::DatasetKind::kMesh           ? v1::DATASET_KIND_MESH
+                     : info.tensor_order > 0                            ? v1::DATASET_KIND_TENSOR_IMAGE
+                                                                        : v1::DATASET_KIND_SH_IMAGE);
     message.set_tensor_order(static_cast<std::uint32_t>(info.tensor_order));
     for (int axis = 0; axis < 3; ++axis) message.add_size(static_cast<std::uint32_t>(info.size[axis]));
     for (int row = 0; row < 3; ++row) {
@@ -112,6 +114,7 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     }
     message.set_fibres(info.fibres);
     message.set_points(info.points);
+    message.set_triangles(info.triangles);
     for (const model::FibreGroupSize& group : info.fibre_groups) {
         v1::FibreGroupSize* added = message.add_fibre_groups();
         added->set_name(group.name);

@@ -26,6 +26,10 @@ void fromLights(const v1::Illumination& message, model::Illumination& light) {
     if (message.sky().has_radiance()) light.sky.radiance = colourOf(message.sky().radiance());
     if (message.sky().has_gradient()) light.sky.gradient = colourOf(message.sky().gradient());
     if (message.sky().has_up()) light.sky.up = vectorOf(message.sky().up());
+    if (message.has_environment()) {
+        light.environment = model::EnvironmentLight{message.environment().id(), 1};
+        if (message.environment().has_scale()) light.environment->scale = message.environment().scale();
+    }
     for (const v1::SunDisc& sun : message.suns()) {
         model::SunDisc& added = light.suns.emplace_back();
         if (sun.has_direction()) added.direction = vectorOf(sun.direction());
@@ -43,15 +47,21 @@ void fromLights(const v1::Illumination& message, model::Illumination& light) {
 }  // namespace
 
 model::Illumination fromProto(const v1::Illumination& message, const std::string& where) {
+    checkEnum(message.method(), v1::IlluminationMethod_IsValid, v1::IlluminationMethod_MAX, where + ".method");
     checkEnum(message.payload(), v1::TexelPayload_IsValid, v1::TexelPayload_MAX, where + ".payload");
     checkEnum(message.storage(), v1::TexelStorage_IsValid, v1::TexelStorage_MAX, where + ".storage");
     checkEnum(message.interpolation(), v1::TexelInterpolation_IsValid, v1::TexelInterpolation_MAX, where + ".interpolation");
+    checkEnum(message.sampling(), v1::TexelSampling_IsValid, v1::TexelSampling_MAX, where + ".sampling");
     checkEnum(message.resolution(), v1::LatticeResolution_IsValid, v1::LatticeResolution_MAX, where + ".resolution");
     model::Illumination light;
+    light.method = choice(message.method(), light.method);
     light.payload = choice(message.payload(), light.payload);
     light.storage = choice(message.storage(), light.storage);
     light.interpolation = choice(message.interpolation(), light.interpolation);
     light.resolution = choice(message.resolution(), light.resolution);
+    light.sampling = choice(message.sampling(), light.sampling);
+    light.full = message.full();
+    light.project = !light.full;
     if (message.has_bounces()) light.bounces = toInt(message.bounces(), where + ".bounces");
     if (message.orders_size() > static_cast<int>(light.orders.size())) {
         refuse(where + ".orders has " + std::to_string(message.orders_size()) +
@@ -75,10 +85,13 @@ model::Illumination fromProto(const v1::Illumination& message, const std::string
 
 v1::Illumination toProto(const model::Illumination& light) {
     v1::Illumination message;
+    message.set_method(word<v1::IlluminationMethod>(light.method));
     message.set_payload(word<v1::TexelPayload>(light.payload));
     message.set_storage(word<v1::TexelStorage>(light.storage));
     message.set_interpolation(word<v1::TexelInterpolation>(light.interpolation));
     message.set_resolution(word<v1::LatticeResolution>(light.resolution));
+    message.set_sampling(word<v1::TexelSampling>(light.sampling));
+    message.set_full(light.full);
     message.set_bounces(static_cast<std::uint32_t>(light.bounces));
     for (const int order : light.orders) message.add_orders(static_cast<std::uint32_t>(order));
     message.set_project(light.project);
@@ -88,6 +101,10 @@ v1::Illumination toProto(const model::Illumination& light) {
     *message.mutable_sky()->mutable_radiance() = colour(light.sky.radiance);
     *message.mutable_sky()->mutable_gradient() = colour(light.sky.gradient);
     *message.mutable_sky()->mutable_up() = toProto(light.sky.up);
+    if (light.environment) {
+        message.mutable_environment()->set_id(light.environment->id);
+        message.mutable_environment()->set_scale(light.environment->scale);
+    }
     for (const model::SunDisc& sun : light.suns) {
         v1::SunDisc* added = message.add_suns();
         *added->mutable_direction() = toProto(sun.direction);
@@ -116,6 +133,9 @@ v1::IlluminationProgress toProto(const model::IlluminationInfo& info) {
     message.set_seconds(info.seconds);
     message.set_bytes(info.bytes);
     message.set_projected(info.projected);
+    message.set_payload_bytes(info.payload_bytes);
+    message.set_texels_read(info.texels_read);
+    message.set_saved(info.saved);
     return message;
 }
 

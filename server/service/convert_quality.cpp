@@ -102,6 +102,7 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     if (quality.ray_march().has_refinements()) {
         result.ray_march.refinements = toInt(quality.ray_march().refinements(), where + ".ray_march.refinements");
     }
+    result.fxaa = quality.fxaa();
     if (quality.glyph_boxes() == v1::GLYPH_BOXES_CYLINDER) result.glyph_boxes = model::GlyphBoxes::kCylinder;
     switch (quality.traversal()) {
         case v1::TRAVERSAL_RAY_QUERY:
@@ -131,6 +132,7 @@ v1::Quality toProto(const model::Quality& quality) {
     message.set_samples(static_cast<std::uint32_t>(quality.samples));
     message.set_fiblet_pipeline(pipelineOf(quality.fiblet_pipeline));
     message.set_fiblet_culling(cullingOf(quality.fiblet_culling));
+    message.set_fxaa(quality.fxaa);
     if (quality.frozen_culling) *message.mutable_frozen_culling() = toProto(*quality.frozen_culling);
     if (quality.fiblet_detail_px) message.set_fiblet_detail_px(*quality.fiblet_detail_px);
     *message.mutable_isosurface() = toProto(quality.isosurface);

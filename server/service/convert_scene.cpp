@@ -149,7 +149,7 @@ model::Scene fromProto(const v1::Scene& scene, const std::string& where) {
         } else if (layer.has_tractogram()) {
             added.content = fromProto(layer.tractogram(), layer_where + ".tractogram");
         } else if (layer.has_isosurface()) {
-            added.content = fromProto(layer.isosurface());
+            added.content = fromProto(layer.isosurface(), layer_where + ".isosurface");
         } else {
             added.glyphs() = fromGlyphs(layer.glyphs(), layer_where + ".glyphs");
         }

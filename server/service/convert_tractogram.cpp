@@ -43,6 +43,20 @@ model::FibreColour colourOf(const v1::FibreColour& colour, const std::string& wh
             result.mode = model::FibreColourMode::kLength;
             mapFromProto(colour.length(), result, where + ".length");
             break;
+        case v1::FibreColour::kPoint:
+            result.mode = model::FibreColourMode::kPointColumn;
+            result.column = colour.point().name();
+            result.component = toInt(colour.point().component(), where + ".point.component");
+            mapFromProto(colour.point(), result, where + ".point");
+            break;
+        case v1::FibreColour::kDistance:
+            result.mode = model::FibreColourMode::kDistance;
+            result.region = colour.distance().region();
+            mapFromProto(colour.distance(), result, where + ".distance");
+            break;
+        case v1::FibreColour::kEnds:
+            result.mode = model::FibreColourMode::kEnds;
+            break;
         case v1::FibreColour::kDirection:
         case v1::FibreColour::SOURCE_NOT_SET:
             break;
@@ -72,6 +86,18 @@ v1::FibreColour colourOf(const model::FibreColour& colour) {
         case model::FibreColourMode::kLength:
             mapToProto(colour, *message.mutable_length());
             break;
+        case model::FibreColourMode::kPointColumn:
+            message.mutable_point()->set_name(colour.column);
+            message.mutable_point()->set_component(static_cast<std::uint32_t>(colour.component));
+            mapToProto(colour, *message.mutable_point());
+            break;
+        case model::FibreColourMode::kDistance:
+            message.mutable_distance()->set_region(colour.region);
+            mapToProto(colour, *message.mutable_distance());
+            break;
+        case model::FibreColourMode::kEnds:
+            message.mutable_ends();
+            break;
     }
     return message;
 }
@@ -82,6 +108,7 @@ model::FibreSet setOf(const v1::FibreSet& set) {
     result.fibres.assign(set.fibres().begin(), set.fibres().end());
     if (set.has_length_min_mm()) result.length_min_mm = set.length_min_mm();
     if (set.has_length_max_mm()) result.length_max_mm = set.length_max_mm();
+    result.selection = set.selection();
     return result;
 }
 
@@ -91,6 +118,7 @@ v1::FibreSet setOf(const model::FibreSet& set) {
     for (const std::uint32_t fibre : set.fibres) message.add_fibres(fibre);
     if (set.length_min_mm) message.set_length_min_mm(*set.length_min_mm);
     if (set.length_max_mm) message.set_length_max_mm(*set.length_max_mm);
+    message.set_selection(set.selection);
     return message;
 }
 
@@ -106,6 +134,11 @@ model::TractogramLayer fromProto(const v1::TractogramLayer& layer, const std::st
     if (layer.has_occlusion_px()) result.occlusion_px = layer.occlusion_px();
     if (layer.has_halo_px()) result.halo_px = layer.halo_px();
     for (const v1::FibreCut& cut : layer.cuts()) result.cuts.push_back({vectorOf(cut.point_mm()), vectorOf(cut.normal())});
+    result.exact_width = layer.exact_width();
+    for (const v1::FibreRegionCut& cut : layer.region_cuts()) result.region_cuts.push_back({cut.region(), cut.outside()});
+    for (const v1::FibreCriterion& criterion : layer.criteria()) {
+        result.criteria.push_back({criterion.column(), criterion.low(), criterion.high()});
+    }
     result.shown = setOf(layer.shown());
     if (layer.has_selected()) result.selected = setOf(layer.selected());
     if (layer.unselected() == v1::UNSELECTED_FIBRES_HIDDEN) result.unselected = model::UnselectedFibres::kHidden;
@@ -124,6 +157,18 @@ v1::TractogramLayer toProto(const model::TractogramLayer& layer) {
         v1::FibreCut* added = message.add_cuts();
         *added->mutable_point_mm() = toProto(cut.point_mm);
         *added->mutable_normal() = toProto(cut.normal);
+    }
+    message.set_exact_width(layer.exact_width);
+    for (const model::FibreRegionCut& cut : layer.region_cuts) {
+        v1::FibreRegionCut* added = message.add_region_cuts();
+        added->set_region(cut.region);
+        added->set_outside(cut.outside);
+    }
+    for (const model::FibreCriterion& criterion : layer.criteria) {
+        v1::FibreCriterion* added = message.add_criteria();
+        added->set_column(criterion.column);
+        added->set_low(criterion.low);
+        added->set_high(criterion.high);
     }
     if (!layer.shown.isAll()) *message.mutable_shown() = setOf(layer.shown);
     if (layer.selected) *message.mutable_selected() = setOf(*layer.selected);

@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "build/peaks.h"
+#include "model/outline.h"
 #include "service/convert.h"
 #include "service/convert_checks.h"
 #include "service/raw_call.h"
@@ -8,16 +11,17 @@ namespace radiata::service {
 namespace {
 
 /// The picture that the request names. Waits for nothing: the requests of a view's frames are kept.
-model::FrameRequest pictureOf(const v1::PickRequest& message, session::Conductor& conductor, const ViewIds& ids) {
+template <typename Message>
+model::FrameRequest pictureOf(const Message& message, session::Conductor& conductor, const ViewIds& ids) {
     switch (message.frame_case()) {
-        case v1::PickRequest::kView:
+        case Message::kView:
             return conductor.requestOf(ids.find(message.view().view_id()), message.view().sequence());
-        case v1::PickRequest::kRequest: {
+        case Message::kRequest: {
             const model::FrameRequest request = fromProto(message.request(), "request");
             model::validate(request, conductor.limits());
             return request;
         }
-        case v1::PickRequest::FRAME_NOT_SET:
+        case Message::FRAME_NOT_SET:
             break;
     }
     refuse("view (a frame of a view) and request (a picture of its own) are both missing; give one");
@@ -53,15 +57,48 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
                 call->refuse(currentStatus());
             }
         };
-        if (conductor_.backend().resident(picture)) return conductor_.post(trace);
-        worker_.post([this, call, picture, trace] {
+        afterLoading(call, picture, trace);
+    });
+}
+
+void PickService::afterLoading(UnaryCall* call, const model::FrameRequest& picture, const std::function<void()>& task) {
+    if (conductor_.backend().resident(picture)) return conductor_.post(task);
+    worker_.post([this, call, picture, task] {
+        try {
+            conductor_.backend().load(picture);
+            conductor_.post(task);
+        } catch (...) {
+            call->refuse(currentStatus());
+        }
+    });
+}
+
+grpc::ServerUnaryReactor* PickService::PickFibres(Context*, const Bytes* request, Bytes* response) {
+    return unaryCall<v1::PickFibresRequest>(request, response, [this](UnaryCall* call, const v1::PickFibresRequest& message) {
+        const model::FrameRequest picture = pictureOf(message, conductor_, ids_);
+        std::vector<glm::dvec2> outline;
+        for (const v1::PicturePoint& point : message.outline()) outline.emplace_back(point.x(), point.y());
+        // Checked here, so that what is wrong waits for no turn.
+        model::pixelsIn(outline, {picture.width, picture.height});
+        const bool through = message.through();
+        const std::size_t most = message.fibres_max();
+        const auto find = [this, call, picture, outline, through, most] {
             try {
-                conductor_.backend().load(picture);
-                conductor_.post(trace);
+                v1::PickFibresResponse answer;
+                for (const model::PickedFibres& picked : conductor_.backend().pick_fibres(picture, outline, through)) {
+                    v1::PickedFibres& layer = *answer.add_layers();
+                    layer.set_layer(static_cast<std::uint32_t>(picked.layer));
+                    layer.set_dataset_id(picked.dataset_id);
+                    layer.set_count(picked.fibres.size());
+                    const auto named = static_cast<std::ptrdiff_t>(std::min(most, picked.fibres.size()));
+                    layer.mutable_fibres()->Add(picked.fibres.begin(), picked.fibres.begin() + named);
+                }
+                call->answer(answer);
             } catch (...) {
                 call->refuse(currentStatus());
             }
-        });
+        };
+        afterLoading(call, picture, find);
     });
 }
 

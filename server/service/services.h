@@ -19,6 +19,8 @@ using Bytes = grpc::ByteBuffer;
 using Context = grpc::CallbackServerContext;
 using session::Worker;
 
+class UnaryCall;
+
 class ViewService final : public v1::ViewService::WithRawCallbackMethod_Open<
                               v1::ViewService::WithRawCallbackMethod_Update<v1::ViewService::Service>> {
 public:
@@ -42,13 +44,18 @@ private:
     session::Conductor& conductor_;
 };
 
-class PickService final : public v1::PickService::WithRawCallbackMethod_Pick<v1::PickService::Service> {
+class PickService final : public v1::PickService::WithRawCallbackMethod_Pick<
+                              v1::PickService::WithRawCallbackMethod_PickFibres<v1::PickService::Service>> {
 public:
     PickService(session::Conductor& conductor, Worker& worker, const ViewIds& ids)
         : conductor_(conductor), worker_(worker), ids_(ids) {}
     grpc::ServerUnaryReactor* Pick(Context* context, const Bytes* request, Bytes* response) override;
+    grpc::ServerUnaryReactor* PickFibres(Context* context, const Bytes* request, Bytes* response) override;
 
 private:
+    /// Runs the task on the render thread, once what the picture shows is loaded.
+    void afterLoading(UnaryCall* call, const model::FrameRequest& picture, const std::function<void()>& task);
+
     session::Conductor& conductor_;
     Worker& worker_;
     const ViewIds& ids_;

@@ -33,6 +33,11 @@ struct Backend {
     /// What the ray through a pixel's centre hits, without its peaks; nothing if it hits nothing.
     std::function<std::optional<model::Picked>(const model::FrameRequest& request, int x, int y, int radius_px)> pick;
 
+    /// Fibres within an outline; the contract of render::Renderer::pickFibres.
+    std::function<std::vector<model::PickedFibres>(const model::FrameRequest& request, const std::vector<glm::dvec2>& outline,
+                                                   bool through)>
+        pick_fibres;
+
     // Called by any thread.
     std::function<std::vector<model::DatasetInfo>()> list;
     std::function<model::DatasetInfo(const std::string& id)> info;  ///< \throws Error(kNotFound)

@@ -135,6 +135,9 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
     backend.release = [](std::uint64_t) {};
     backend.fit_camera = fit;
     backend.pick = pick;
+    backend.pick_fibres = [](const model::FrameRequest&, const std::vector<glm::dvec2>&, bool) {
+        return std::vector<model::PickedFibres>();
+    };
     backend.list = [] { return std::vector<model::DatasetInfo>{dataset()}; };
     backend.info = lookUp;
     backend.select = [](const std::string& id, const std::string&) -> model::SelectedFibres {

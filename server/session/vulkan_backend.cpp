@@ -1,5 +1,6 @@
 #include "session/vulkan_backend.h"
 
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -17,33 +18,32 @@ model::SelectedFibres select(store::Store& store, const std::string& id, const s
     return {bits.size(), bits.fibres()};
 }
 
-/// Calls `visit` for each dataset that the layer is drawn from, with what it is needed as.
-template <typename Visit>
-void forEachDataset(const model::Layer& layer, Visit&& visit) {
-    visit(layer.datasetId(), &layer);
-    if (const model::GlyphLayer* glyphs = layer.ifGlyphs()) {
-        if (glyphs->uncertainty) visit(glyphs->uncertainty->dataset_id, nullptr);
-        if (glyphs->colour.mode == model::ColourMode::kScalar) visit(glyphs->colour.image_id, nullptr);
+/// Ids of all datasets that the request is drawn from; tractograms name those of their regions when they are selected from.
+std::vector<std::string> datasetsOf(const model::FrameRequest& request) {
+    std::vector<std::string> ids;
+    for (const model::Layer& layer : request.scene.layers) {
+        ids.push_back(layer.datasetId());
+        if (const model::GlyphLayer* glyphs = layer.ifGlyphs()) {
+            if (glyphs->uncertainty) ids.push_back(glyphs->uncertainty->dataset_id);
+            if (glyphs->colour.mode == model::ColourMode::kScalar) ids.push_back(glyphs->colour.image_id);
+        }
+        const model::IsosurfaceLayer* surface = layer.ifSurface();
+        if (surface && surface->colour_by) ids.push_back(surface->colour_by->image_id);
     }
+    const auto& illumination = request.scene.light.illumination;
+    if (illumination && illumination->environment) ids.push_back(illumination->environment->id);
+    return ids;
 }
 
 bool resident(store::Store& store, const model::FrameRequest& request) {
-    bool all = true;
-    for (const model::Layer& layer : request.scene.layers) {
-        forEachDataset(layer, [&](const std::string& id, const model::Layer*) { all = all && store.resident(id); });
-    }
-    return all;
+    const std::vector<std::string> ids = datasetsOf(request);
+    return std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return store.resident(id); });
 }
 
 void load(store::Store& store, const model::FrameRequest& request) {
+    for (const std::string& id : datasetsOf(request)) store.info(id);
     for (const model::Layer& layer : request.scene.layers) {
-        forEachDataset(layer, [&](const std::string& id, const model::Layer* of) {
-            if (of && of->ifSurface()) {
-                store.volume(id);
-            } else {
-                store.info(id);
-            }
-        });
+        if (layer.ifSurface()) store.volume(layer.datasetId());
     }
 }
 
@@ -64,6 +64,8 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     backend.pick = [&renderer](const model::FrameRequest& request, int x, int y, int radius_px) {
         return renderer.pick(request, x, y, radius_px);
     };
+    backend.pick_fibres = [&renderer](const model::FrameRequest& request, const std::vector<glm::dvec2>& outline,
+                                      bool through) { return renderer.pickFibres(request, outline, through); };
     backend.list = [&store] { return store.list(); };
     backend.info = [&store](const std::string& id) { return store.info(id); };
     backend.select = [&store](const std::string& id, const std::string& selection) { return select(store, id, selection); };

@@ -1,8 +1,6 @@
 #include "store/store.h"
 
 #include <algorithm>
-#include <cctype>
-#include <limits>
 #include <map>
 #include <mutex>
 
@@ -11,12 +9,17 @@
 #include "build/fibre_selection.h"
 #include "gpu/device.h"
 #include "io/fiblet_file.h"
+#include "io/mesh_file.h"
 #include "io/scalar_image.h"
 #include "io/sh_image.h"
 #include "io/stored_image.h"
 #include "io/tensor_image.h"
 #include "io/tractogram.h"
+#include "store/catalog_ids.h"
+#include "store/dataset_infos.h"
+#include "store/environment_files.h"
 #include "store/glyph_dataset.h"
+#include "store/lattice_files.h"
 #include "store/scalar_dataset.h"
 #include "store/tract_files.h"
 #include "store/volume_dataset.h"
@@ -24,93 +27,8 @@
 namespace radiata::store {
 namespace {
 
-constexpr std::string_view kSuffixes[] = {".nii.gz", ".nii", ".mif.gz", ".mif", ".mih", ".nrrd", ".nhdr"};
-
-/// File name without its suffix, or nothing if it is neither an image nor a tractogram.
-std::string stemOf(const std::filesystem::path& path) {
-    const std::string file = (path.has_filename() ? path : path.parent_path()).filename().string();
-    if (isTractName(path)) {
-        const std::string whole = file.ends_with(".gz") ? file.substr(0, file.size() - 3) : file;
-        return whole.substr(0, whole.rfind('.'));
-    }
-    for (const std::string_view suffix : kSuffixes) {
-        if (file.size() > suffix.size() && file.ends_with(suffix)) return file.substr(0, file.size() - suffix.size());
-    }
-    return {};
-}
-
-bool validId(const std::string& id) {
-    return !id.empty() && id.size() <= 64 && std::all_of(id.begin(), id.end(), [](char c) {
-        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
-    });
-}
-
-std::string idOf(const std::string& stem) {
-    std::string id;
-    for (const char c : stem.substr(0, 60)) {
-        const char lower = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        id += validId(std::string(1, lower)) ? lower : '_';
-    }
-    return id;
-}
-
 model::DatasetKind kindOf(const io::StoredImage& header) {
     return header.size[3] == 1 ? model::DatasetKind::kScalarVolume : model::DatasetKind::kShImage;
-}
-
-/// For messages: short, and nothing in it that would end or garble a line.
-std::string printable(const std::string& id) {
-    std::string text = id.substr(0, 64);
-    for (char& c : text) {
-        if (c < ' ' || c > '~') c = '?';
-    }
-    return text;
-}
-
-void checkId(const std::string& id) {
-    if (validId(id)) return;
-    throw Error(Code::kInvalidArgument,
-                "dataset id '" + printable(id) + "' must be 1 to 64 characters of a-z, 0-9, '_' and '-'");
-}
-
-model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    info.fibres = set.fibres();
-    info.points = set.points;
-    for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
-    for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
-    for (const model::PointColumn& column : set.point_columns) {
-        if (column.component == 0) info.vertex_columns.push_back(column.name);
-    }
-    info.error_mean_um = set.errors.mean_um;
-    info.error_max_um = set.errors.max_um;
-    glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
-    for (const shader::FibletPage& page : set.pages) {
-        low = glm::min(low, page.low);
-        high = glm::max(high, page.high);
-    }
-    if (set.pages.empty()) low = high = glm::vec3(0);
-    info.bounds_min = set.origin_mm + glm::dvec3(low);
-    info.bounds_max = set.origin_mm + glm::dvec3(high);
-    return info;
-}
-
-/// What the header alone says, which may be wrong about counts.
-model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path) {
-    model::DatasetInfo info;
-    info.id = id;
-    info.kind = model::DatasetKind::kTractogram;
-    try {
-        if (io::isFibletName(path)) return fibletInfo(id, io::readFibletHeader(path));
-        const auto source = io::openTractogram(path);
-        info.fibres = source->header().fibre_count.value_or(0);
-        info.points = source->header().point_count.value_or(0);
-    } catch (const Error&) {
-        // The list goes on; whoever asks for this dataset gets the reader's sentence.
-    }
-    return info;
 }
 
 }  // namespace
@@ -125,13 +43,21 @@ struct Store::Impl {
         std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
         std::shared_ptr<const model::FibletSet> fiblets;
         std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
+        std::shared_ptr<const model::EnvironmentMap> environment;
+        std::shared_ptr<const model::TriangleMesh> mesh;
 
-        std::string_view kind() const { return dataset ? "an SH image" : scalars ? "a scalar volume" : "a tractogram"; }
+        std::string_view kind() const {
+            return dataset       ? "an SH image"
+                   : scalars     ? "a scalar volume"
+                   : environment ? "an environment map"
+                   : mesh        ? "a mesh"
+                                 : "a tractogram";
+        }
     };
     gpu::Device& device;
     io::ShOptions options;
     std::function<void(const std::string&)> log;
-    std::filesystem::path tract_cache;
+    std::filesystem::path tract_cache, lattice_folder;
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
 
@@ -153,7 +79,16 @@ struct Store::Impl {
 
     /// Reads the slot's dataset if it was not read yet. The caller holds the slot's mutex.
     void load(const std::string& id, Slot& slot) const {
-        if (slot.dataset || slot.scalars || slot.fiblets) return;
+        if (slot.dataset || slot.scalars || slot.fiblets || slot.environment || slot.mesh) return;
+        if (isEnvironmentName(slot.path)) {
+            slot.environment = loadEnvironment(slot.path);
+            if (log) log(slot.environment->source + ": an environment map");
+            return;
+        }
+        if (io::isMeshName(slot.path)) {
+            slot.mesh = std::make_shared<const model::TriangleMesh>(io::readMesh(slot.path));
+            return;
+        }
         if (isTractName(slot.path)) {
             slot.fiblets = std::make_shared<const model::FibletSet>(loadTracts(slot.path, tract_cache, log));
             return;
@@ -173,7 +108,7 @@ struct Store::Impl {
 };
 
 Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
-    : impl_(new Impl{device, options, std::move(log), {}, {}, {}}) {}
+    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
@@ -193,8 +128,9 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
     } else if (std::filesystem::is_regular_file(folder_or_file, failure)) {
         if (stemOf(folder_or_file).empty()) {
             throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
-                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr) and no "
-                                                "tractogram (.tck, .trk, .trx, .tt, .vtk, .gz of them, .fiblet)");
+                                                "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
+                                                "environment map (.hdr), no tractogram (.tck, .trk, .trx, .tt, .vtk, .vtp, "
+                                                ".gz of them, .fiblet) and no mesh (.obj, .stl)");
         }
         files.push_back(folder_or_file);
     } else {
@@ -236,6 +172,42 @@ void Store::add(const std::string& id, model::FibletSet fiblets) {
     impl_->insert(id, std::move(slot));
 }
 
+void Store::add(const std::string& id, model::EnvironmentMap map) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->environment = completeEnvironment(std::move(map));
+    impl_->insert(id, std::move(slot));
+}
+
+std::shared_ptr<const model::EnvironmentMap> Store::environment(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->environment) {
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) +
+                                                "; light from all around needs an environment map");
+    }
+    return slot->environment;
+}
+
+void Store::add(const std::string& id, model::TriangleMesh mesh) {
+    checkId(id);
+    auto slot = std::make_shared<Impl::Slot>();
+    slot->mesh = std::make_shared<const model::TriangleMesh>(std::move(mesh));
+    impl_->insert(id, std::move(slot));
+}
+
+std::shared_ptr<const model::TriangleMesh> Store::mesh(const std::string& id) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(slot->loading);
+    impl_->load(id, *slot);
+    if (!slot->mesh) {
+        throw Error(Code::kInvalidArgument,
+                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; a region by mesh needs a mesh");
+    }
+    return slot->mesh;
+}
+
 std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
@@ -274,10 +246,12 @@ std::shared_ptr<FibreSelector> Store::selector(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     if (!slot->selector) {
-        slot->selector = std::make_shared<FibreSelector>(std::move(set), [this](const std::string& mask) {
+        const auto masks = [this](const std::string& mask) {
             const std::shared_ptr<const ScalarDataset> volume = scalars(mask);
             return std::shared_ptr<const model::ScalarImage>(volume, &volume->image());
-        });
+        };
+        slot->selector = std::make_shared<FibreSelector>(std::move(set), masks, std::uint64_t{1} << 28,
+                                                         [this](const std::string& surface) { return mesh(surface); });
     }
     return slot->selector;
 }
@@ -290,6 +264,16 @@ std::unique_ptr<model::TractogramSource> Store::tracts(const std::string& id) {
 }
 
 void Store::setTractCache(const std::filesystem::path& folder) { impl_->tract_cache = folder; }
+
+void Store::setLatticeFolder(const std::filesystem::path& folder) { impl_->lattice_folder = folder; }
+
+std::filesystem::path Store::latticeFile(const std::string& id, const std::string& key) {
+    return latticePath(impl_->find(id)->path, impl_->lattice_folder, key);
+}
+
+void Store::note(const std::string& sentence) const {
+    if (impl_->log) impl_->log(sentence);
+}
 
 std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
@@ -307,13 +291,15 @@ model::DatasetInfo Store::info(const std::string& id) {
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (slot->fiblets) return fibletInfo(id, *slot->fiblets);
+    if (slot->environment) return environmentInfo(id, *slot->environment);
+    if (slot->mesh) return meshInfo(id, *slot->mesh);
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
 }
 
 bool Store::resident(const std::string& id) const {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::unique_lock lock(slot->loading, std::try_to_lock);
-    return lock && (slot->dataset || slot->scalars || slot->fiblets);
+    return lock && (slot->dataset || slot->scalars || slot->fiblets || slot->environment);
 }
 
 std::vector<model::DatasetInfo> Store::list() {
@@ -333,6 +319,14 @@ std::vector<model::DatasetInfo> Store::list() {
             info = slot->scalars->info();
         } else if (lock && slot->fiblets) {
             info = fibletInfo(id, *slot->fiblets);
+        } else if (lock && slot->environment) {
+            info = environmentInfo(id, *slot->environment);
+        } else if (isEnvironmentName(slot->path)) {
+            info = environmentHeaderInfo(id, slot->path);
+        } else if (lock && slot->mesh) {
+            info = meshInfo(id, *slot->mesh);
+        } else if (io::isMeshName(slot->path)) {
+            info.kind = model::DatasetKind::kMesh;
         } else if (isTractName(slot->path)) {
             info = tractHeaderInfo(id, slot->path);
         } else if (!slot->path.empty()) {

@@ -15,9 +15,11 @@
 #include "io/tensor_options.h"
 #include "model/dataset.h"
 #include "model/fiblet_set.h"
+#include "model/illumination.h"
 #include "model/scalar_image.h"
 #include "model/sh_image.h"
 #include "model/tractogram.h"
+#include "model/triangle_mesh.h"
 
 namespace radiata {
 class FibreSelector;
@@ -44,7 +46,15 @@ public:
     /// Where tractograms are kept once they are encoded (store/tract_files.h). Empty, as at first: nowhere.
     void setTractCache(const std::filesystem::path& folder);
 
-    /// Adds every readable image and tractogram of a folder, or one file (or .trx folder). Ids come from file names
+    /// Where illumination lattices are saved. Empty, as at first: beside their datasets.
+    void setLatticeFolder(const std::filesystem::path& folder);
+    /// The file for a lattice of this dataset with this key; empty if there is no place for it.
+    std::filesystem::path latticeFile(const std::string& id, const std::string& key);
+    /// One sentence for the log.
+    void note(const std::string& sentence) const;
+
+    /// Adds every readable image, environment map and tractogram of a folder, or one file (or .trx folder). Ids come from file
+    /// names
     /// ("xa_fod8.nii.gz" -> "xa_fod8"). \param tensors  the files hold tensors in this format; without it those are tensors
     /// whose headers say so \return the entries added.  \throws Error(kNotFound) if there is no such folder or file
     std::vector<CatalogEntry> add(const std::filesystem::path& folder_or_file,
@@ -53,6 +63,8 @@ public:
     void add(const std::string& id, model::ShImage image);
     void add(const std::string& id, model::ScalarImage image);
     void add(const std::string& id, model::FibletSet fiblets);
+    void add(const std::string& id, model::EnvironmentMap map);
+    void add(const std::string& id, model::TriangleMesh mesh);
 
     /// All datasets. Those that are not resident are told from their headers (glyph count, amplitudes and bytes are 0);
     /// one whose header cannot be read has size 0.
@@ -70,6 +82,10 @@ public:
     std::shared_ptr<FibreSelector> selector(const std::string& id);
     /// The fibres as their file has them, or as they are decoded if there is none. \throws as fiblets()
     std::unique_ptr<model::TractogramSource> tracts(const std::string& id);
+    /// A picture of the sky, with its harmonics. \throws as fiblets()
+    std::shared_ptr<const model::EnvironmentMap> environment(const std::string& id);
+    /// A surface of triangles. \throws as fiblets()
+    std::shared_ptr<const model::TriangleMesh> mesh(const std::string& id);
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
 

@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include <zlib.h>
+
 #include "base/error.h"
 #include "build/otsu.h"
 #include "build/volume_bricks.h"
@@ -40,6 +42,8 @@ VolumeDataset::VolumeDataset(gpu::Device& device, const model::ScalarImage& imag
                                                 " voxels is a finite number; an isosurface needs some");
     }
     value_split_ = splitValue(image, value_min_, value_max_);
+    const auto samples = std::as_bytes(std::span(image.values));
+    check_ = static_cast<std::uint32_t>(crc32_z(0, reinterpret_cast<const Bytef*>(samples.data()), samples.size()));
     samples_ = gpu::Buffer(device, image.values.size() * sizeof(float), gpu::Memory::kDevice, "volume " + image.source);
     uploadSamples(device, samples_, image.values);
     const auto brick_bytes = std::as_bytes(std::span(bricks.bricks.ranges));

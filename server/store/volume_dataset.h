@@ -26,6 +26,8 @@ public:
     glm::dvec3 gridToWorld(const glm::dvec3& p_grid) const { return glm::dvec3(grid_to_world_ * glm::dvec4(p_grid, 1)); }
     /// Voxels that are NaN, infinite or beyond 3e38: cells with one of them in a corner have no surface.
     std::uint64_t noValue() const { return no_value_; }
+    /// CRC-32 of the samples, which tells this volume from others.
+    std::uint32_t check() const { return check_; }
     std::uint64_t gpuBytes() const { return samples_.sizeBytes() + ranges_.sizeBytes(); }
 
 private:
@@ -34,6 +36,7 @@ private:
     glm::dmat4 grid_to_world_{1.0}, world_to_grid_{1.0};
     float value_min_ = 0, value_max_ = 0, value_split_ = 0;
     std::uint64_t no_value_ = 0;
+    std::uint32_t check_ = 0;
 };
 
 }  // namespace radiata::store

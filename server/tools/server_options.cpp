@@ -77,6 +77,8 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_option("--tract-cache", options.tract_cache,
                    "Folder that keeps tractograms once they are encoded; empty: none is kept")
         ->capture_default_str();
+    app.add_option("--lattice-folder", options.lattice_folder,
+                   "Folder that keeps illumination lattices that were asked for as a whole (default: beside their datasets)");
     app.add_option("--limits", texts.limits,
                    "KEY=NUMBER; keys: width, height, pixels, samples, views, window; may be repeated");
     app.add_option("--stub-render", options.stub_render_ms,

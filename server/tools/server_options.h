@@ -22,7 +22,7 @@ struct ProgramOptions {
     io::ShOptions sh;
     std::vector<std::filesystem::path> data;
     std::vector<std::pair<io::TensorOptions, std::filesystem::path>> tensors;
-    std::filesystem::path tract_cache;
+    std::filesystem::path tract_cache, lattice_folder;
     model::Traversal traversal = model::Traversal::kAuto;  ///< for requests that leave it open
     std::optional<int> stub_render_ms;
     bool list_devices = false;

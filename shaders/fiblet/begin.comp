@@ -6,6 +6,7 @@
 #include "shaders/fiblet/pixel_stretch.glsl"
 
 layout(constant_id = 1) const bool kFirstLayer = true;
+layout(constant_id = 2) const bool kCounting = false;  // segments before what is opaque will be counted
 
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(push_constant, scalar) uniform Push {
@@ -19,5 +20,10 @@ void main() {
     if (at >= uint(layer.view.width * layer.view.height)) return;
     float depth = uintBitsToFloat(0x7f800000u);
     if (!kFirstLayer) depth = push.surface.at[at].depth / pixelStretch(layer.view, at);
-    WordBuffer(layer.words).at[at] = uint64_t(orderOfDepth(depth)) << 32 | FIBLET_NOBODY;
+    const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | FIBLET_NOBODY;
+    WordBuffer(layer.words).at[at] = word;
+    if (kCounting) {
+        WordBuffer(layer.peeled).at[at] = word;
+        UintBuffer(layer.fragments).at[at] = 0u;
+    }
 }

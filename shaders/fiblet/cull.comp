@@ -12,6 +12,7 @@
 layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: those seen last; 2: the others, if not hidden
 layout(constant_id = 2) const float kMargin = 0.0;  // pixels beside a line
 layout(constant_id = 3) const bool kTubes = false;
+layout(constant_id = 4) const bool kSegments = false;  // fiblets none of whose segments is shown are left out
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -46,6 +47,7 @@ void main() {
         const bool seen_last = (UintBuffer(layer.visible).at[fiblet >> 5u] >> (fiblet & 31u) & 1u) != 0u;
         if (seen_last != (kPhase == 1u)) return;
     }
+    if (kSegments && WordBuffer(layer.segments).at[fiblet] == 0ul) return;
     vec3 low, high;
     fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
     if (visible(layer, low, high) && !(kPhase == 2u && hiddenAlong(layer, BoxBuffer(layer.boxes).at[fiblet], low, high))) UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.listed, 1u)] = fiblet;

@@ -17,9 +17,14 @@ layout(constant_id = 2) const uint kCuts = 0u;
 layout(constant_id = 3) const bool kTubes = false;   // selected fibres as capsules
 layout(constant_id = 4) const bool kLines = true;    // the others as lines
 layout(constant_id = 5) const bool kSelection = false;  // fibres have states
+layout(constant_id = 7) const bool kSegments = false;     // single segments are left out
+layout(constant_id = 8) const bool kExactWidth = false;   // lines have their width across, not along a column or row
+layout(constant_id = 9) const bool kPeel = false;         // only what lies behind the segment composed last
+layout(constant_id = 10) const bool kCounting = false;    // segments before what is opaque are counted
+layout(constant_id = 11) const bool kFinding = false;     // fibres in an outline are noted, nothing is drawn
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
-layout(constant_id = 7) const uint kDetail = 0u;        // segments that may become one line; 0: none do
-layout(constant_id = 8) const bool kSmallAsLines = false;  // fiblets of a few pixels are lines from end to end
+layout(constant_id = 12) const uint kDetail = 0u;        // segments that may become one line; 0: none do
+layout(constant_id = 13) const bool kSmallAsLines = false;  // fiblets of a few pixels are lines from end to end
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -28,12 +33,22 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 FibletView view;
-WordBuffer words, tangents;
+WordBuffer words, tangents, peeled;
+UintBuffer fragments, inside, found;
+uint fibre;
+uint64_t shown = 0ul;  // bit i: segment i is
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, uint direction) {
+    if (kFinding) {
+        const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
+        if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
+        return;
+    }
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
+    if (kPeel && word <= peeled.at[pixel]) return;
+    if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
     if (words.at[pixel] < word) return;
     if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
 }
@@ -56,6 +71,9 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, uint direction)
     const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const int begin = max(int(ceil(low - 0.5)), origin.x), end = min(int(ceil(high - 0.5)), origin.x + size.x);
     const int width = int(view.line_width);
+    // Half of what a strip of the line's width takes of a column that it crosses at a slant.
+    const float slope = (to.y - from.y) / max(abs(to.x - from.x), 1e-6);
+    const float half_strip = 0.5 * view.line_width * sqrt(1.0 + slope * slope);
     for (int i = begin; i < end; ++i) {
         const float share = clamp((float(i) + 0.5 - from.x) / (to.x - from.x), 0.0, 1.0);
         const float across = from.y + share * (to.y - from.y);
@@ -65,8 +83,12 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, uint direction)
         if (depth > view.far_depth || !(abs(across) < 1e6)) continue;
         uint here = who;
         if (kDetail != 0u || kSmallAsLines) here += min(uint(mix(shares.x, shares.y, s) * float(count)), count - 1u);
-        const int first = int(floor(across - 0.5 * float(width - 1))) - origin.y;
-        for (int j = max(first, 0); j < min(first + width, size.y); ++j) {
+        int first = int(floor(across - 0.5 * float(width - 1))) - origin.y, past = first + width;
+        if (kExactWidth) {
+            first = int(ceil(across - half_strip - 0.5)) - origin.y;
+            past = int(ceil(across + half_strip - 0.5)) - origin.y;
+        }
+        for (int j = max(first, 0); j < min(past, size.y); ++j) {
             const ivec2 at = columns ? ivec2(i - origin.x, j) : ivec2(j, i - origin.x);
             mark(uint(at.y * view.width + at.x), depth, here, direction);
         }
@@ -141,7 +163,7 @@ void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_
     if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, packLine(way));
 }
 
-// Segment by segment.
+// Segment by segment, those that are shown.
 void drawWalk(FibletLayerParams layer, inout FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
     vec3 here = walk.pen.point;
     vec4 eye_here = fibletEyePoint(view, here);
@@ -149,7 +171,7 @@ void drawWalk(FibletLayerParams layer, inout FibletWalk walk, uint first, uint e
         stepWalk(layer, walk, segment);
         const vec3 next = walk.pen.point;
         const vec4 eye_next = fibletEyePoint(view, next);
-        drawSegments(layer, here, next, eye_here, eye_next, fiblet << FIBLET_SEGMENT_BITS | segment, 1u, tube, line);
+        if (!kSegments || (shown >> segment & 1ul) != 0ul) drawSegments(layer, here, next, eye_here, eye_next, fiblet << FIBLET_SEGMENT_BITS | segment, 1u, tube, line);
         here = next;
         eye_here = eye_next;
     }
@@ -202,7 +224,14 @@ void main() {
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
+    if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
+    if (kCounting) fragments = UintBuffer(layer.fragments);
     FibletWalk walk = beginWalk(layer, fiblet);
+    fibre = walk.fibre;
+    if (kFinding) {
+        inside = UintBuffer(layer.inside);
+        found = UintBuffer(layer.found);
+    }
     bool tube = kTubes, line = kLines;
     if (kSelection) {
         const uint state = fibreState(layer, walk.fibre);
@@ -212,7 +241,13 @@ void main() {
             line = kLines && !tube;
         }
     }
-    if ((kDetail != 0u || kSmallAsLines) && line && !tube) {
+    if (kSegments) {
+        shown = WordBuffer(layer.segments).at[fiblet];
+        if (shown == 0ul) return;
+    }
+    // What stands for many segments stands for all of them.
+    const bool whole = !kSegments || (shown & (1ul << walk.segments) - 1ul) == (1ul << walk.segments) - 1ul;
+    if ((kDetail != 0u || kSmallAsLines) && line && !tube && whole) {
         if (drawAsLine(layer, walk, fiblet)) return;
         if (kDetail != 0u) {
             drawDetail(layer, walk, fiblet);

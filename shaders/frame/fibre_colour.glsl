@@ -6,6 +6,7 @@ layout(constant_id = 5) const uint kFibreColours = 1u;
 
 layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer StateBuffer { uint at[]; };
+layout(buffer_reference, scalar) readonly buffer RangeBuffer { vec2 at[]; };
 layout(buffer_reference, scalar) readonly buffer DirectionBuffer { uvec2 at[]; };  // who, direction
 
 const vec3 kFibreGrey = vec3(0.214);  // sRGB 0.5
@@ -20,8 +21,36 @@ vec3 numberColour(uint number) {
     return linearFromSrgb(lightness * mix(vec3(1.0), ramp, 0.75));
 }
 
+// Mean of the values at a segment's two points, or COLOUR_NO_VALUE where one has none.
+float pointValue(LayerLook look, uint who) {
+    const uint fiblet = who >> FIBLET_SEGMENT_BITS, first = 64u * fiblet + (who & ((1u << FIBLET_SEGMENT_BITS) - 1u));
+    uvec2 bytes;
+    for (uint i = 0u; i < 2u; ++i) {
+        bytes[i] = StateBuffer(look.values).at[(first + i) >> 2u] >> (8u * ((first + i) & 3u)) & 0xffu;
+    }
+    if (max(bytes.x, bytes.y) == 255u) return COLOUR_NO_VALUE;
+    const vec2 range = RangeBuffer(look.point_ranges).at[fiblet];
+    return range.x + (range.y - range.x) * (float(bytes.x + bytes.y) / 508.0);
+}
+
+// Trilinear in the layer's grid; beyond it, that of the nearest point in it. \param place  from the rays' reference point, mm
+float gridDistance(LayerLook look, vec3 place) {
+    const vec3 node = clamp((place - look.grid_origin) / look.grid_step, vec3(0.0), vec3(look.grid_size - 1));
+    const ivec3 low = min(ivec3(node), look.grid_size - 2);
+    const vec3 share = node - vec3(low);
+    float sum = 0.0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const ivec3 bit = ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+        const vec3 part = mix(1.0 - share, share, vec3(bit));
+        const ivec3 at = low + bit;
+        sum += part.x * part.y * part.z * ValueBuffer(look.values).at[(at.z * look.grid_size.y + at.y) * look.grid_size.x + at.x];
+    }
+    return sum;
+}
+
+// \param place  of the hit, from the rays' reference point, mm
 // \param pixel  number of the pixel. \param line  whether it is a line, not a tube. \param light  factor on its light
-vec3 fibreColour(LayerLook look, uint who, uint pixel, out bool line, out float light) {
+vec3 fibreColour(LayerLook look, uint who, vec3 place, uint pixel, out bool line, out float light) {
     const uint fibre = HeadBuffer(look.instances).at[who >> FIBLET_SEGMENT_BITS].fibre;
     uint state = FIBRE_SHOWN;
     if (look.states != 0ul) state = StateBuffer(look.states).at[fibre >> 2u] >> (8u * (fibre & 3u)) & 0xffu;
@@ -33,7 +62,11 @@ vec3 fibreColour(LayerLook look, uint who, uint pixel, out bool line, out float 
         const uint bits = DirectionBuffer(look.tangents).at[pixel].y;
         return linearFromSrgb(abs(line ? lineTangent(bits) : tubeTangent(bits)));
     }
-    const float value = ValueBuffer(look.values).at[fibre];
+    if (fibresBy(look, FIBRE_COLOUR_ENDS)) return linearFromSrgb(abs(lineTangent(StateBuffer(look.values).at[fibre])));
+    float value;
+    if (fibresBy(look, FIBRE_COLOUR_POINT)) value = pointValue(look, who);
+    else if (fibresBy(look, FIBRE_COLOUR_DISTANCE)) value = gridDistance(look, place);
+    else value = ValueBuffer(look.values).at[fibre];
     if (value >= COLOUR_NO_VALUE) return kFibreGrey;
     if (fibresBy(look, FIBRE_COLOUR_GROUP)) return numberColour(uint(value));
     return mappedColour(ColourTable(look.map), value, look.range_low, look.range_high);

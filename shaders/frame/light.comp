@@ -15,7 +15,11 @@ layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
 layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
+layout(constant_id = 11) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
+layout(constant_id = 12) const bool kTail = false;  // and stands for all that are behind it, which were counted
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;   // what no isosurface has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
@@ -24,9 +28,11 @@ layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
 #include "shaders/frame/fibre_depth.glsl"
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
-layout(buffer_reference, scalar) readonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
+layout(buffer_reference, scalar) buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
 layout(buffer_reference, scalar) readonly buffer GlobalLightBuffer { vec3 at[]; };  // of a white surface; below 0: not known
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
+
+#include "shaders/frame/fibre_peel.glsl"
 
 layout(push_constant, scalar) uniform Push {
     FrameBuffer frame;
@@ -38,6 +44,8 @@ layout(push_constant, scalar) uniform Push {
     MediumBuffer media;  // not read without kMedia
     VeilBuffer veil;     // not read without kVeil
     GlobalLightBuffer global_light;  // not read without kGlobalLight
+    SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
+    FibletLayerBuffer peel;          // not read without kPeel
 } push;
 
 bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
@@ -48,11 +56,27 @@ vec3 glyphColour(FrameParams frame, LayerLook look, uint who, PixelRay ray, floa
     return baseColour(look, who, ray.origin - centre + depth * ray.direction);
 }
 
+// Radiance of an isosurface, towards the viewer; negative: lit as everything else is. \param base  its colour, which is set here
+vec3 surfaceRadiance(FrameParams frame, Surface surface, LayerLook look, PixelRay ray, uint at, inout vec3 base) {
+    if (kSurfaceLooks != 0u) {
+        const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+        base = surfaceColour(own, look, ray.origin + surface.depth * ray.direction);
+        if (shadesItself(own)) {
+            return shadeItself(frame, own, base, surface.normal, -ray.direction, litShare(push.shadow_bits, at),
+                               openShare(push.occlusion_bits, at));
+        }
+    }
+    if (!kGlobalLight || push.global_light.at[at].x < 0.0) return vec3(-1.0);
+    return base * push.global_light.at[at];
+}
+
 void main() {
     const FrameParams frame = push.frame.frame;
     const uint at = gl_GlobalInvocationID.x;
     if (at >= frame.width * frame.height) return;
     const Surface surface = push.surface.at[at];
+    if (kPeel && kFirstSample) push.veil.at[at] = vec4(0.0, 0.0, 0.0, 1.0);
+    if (kPeel && surface.who == 0xffffffffu) return;
     vec3 radiance = frame.background;
     if (surface.who != 0xffffffffu) {
         const vec2 point = vec2(at % frame.width, at / frame.width) + 0.5 + frame.jitter;
@@ -63,12 +87,20 @@ void main() {
         if (isKind(look, LAYER_SURFACE)) base = baseColour(look, surface.who, vec3(1.0));
         bool line = false;
         float dimmed = 1.0;
-        if (isKind(look, LAYER_TRACTS)) base = fibreColour(look, surface.who, at, line, dimmed);
+        if (isKind(look, LAYER_TRACTS)) {
+            base = fibreColour(look, surface.who, ray.origin + surface.depth * ray.direction, at, line, dimmed);
+        }
         vec3 lit = vec3(-1.0);
-        if (kGlobalLight && isKind(look, LAYER_SURFACE)) lit = base * push.global_light.at[at];
+        if ((kGlobalLight || kSurfaceLooks != 0u) && isKind(look, LAYER_SURFACE)) {
+            lit = surfaceRadiance(frame, surface, look, ray, at, base);
+        }
         if (lit.x < 0.0) {
             if (line) lit = shadeLine(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
             else lit = shadeVisible(frame, push.shadow_bits, push.occlusion_bits, at, base, 0.45, surface.normal, -ray.direction);
+        }
+        if (kSurfaceLooks != 0u && isKind(look, LAYER_SURFACE)) {
+            const SurfaceLook own = push.surface_looks.at[surface.layer_and_steps >> 24u];
+            lit = mix(lit, frame.background, surfaceFog(frame, own, ray, surface.depth));
         }
         if ((kFibreOcclusion || kFibreHalos) && isKind(look, LAYER_TRACTS)) {
             const float size_mm = pixelSize(frame, ray.direction, surface.depth);
@@ -79,7 +111,13 @@ void main() {
                 dimmed = 0.0;
             }
         }
-        radiance = mix(radiance, dimmed * lit, look.opacity);
+        if (kPeel) {
+            const bool first = kFirstSample || !sameStretch(push.peel.layer, at, surface.who, line);
+            push.veil.at[at] = peeled(push.peel.layer, push.veil.at[at], at, min(dimmed * lit, vec3(1.0)), look.opacity, first, kTail);
+            return;
+        }
+        // Transparent fibres are part of the veil.
+        radiance = isKind(look, LAYER_TRACTS) ? dimmed * lit : mix(radiance, dimmed * lit, look.opacity);
     }
     if (kMedia) {
         const Medium medium = push.media.at[at];

@@ -27,6 +27,16 @@ vec3 softLight(FrameParams frame, vec3 base, float roughness, vec3 normal, vec3 
     return frame.irradiance * cap.area / (facing * float(kShadowRays)) * sum;
 }
 
+// Shares of the light and of the ambient light that reach a pixel, where there is one number for each.
+float litShare(BitBuffer shadow_bits, uint pixel) {
+    if (kShadow == kHardShadow) return shadow_bits.at[pixel] != 0u ? 0.0 : 1.0;
+    if (kShadow == kSoftShadow) return 1.0 - float(bitCount(shadow_bits.at[pixel])) / float(kShadowRays);
+    return 1.0;
+}
+float openShare(BitBuffer occlusion_bits, uint pixel) {
+    return kOcclusion ? 1.0 - float(bitCount(occlusion_bits.at[pixel])) / float(kOcclusionRays) : 1.0;
+}
+
 // Radiance towards the viewer. \param pixel  number of the pixel
 vec3 shadeVisible(FrameParams frame, BitBuffer shadow_bits, BitBuffer occlusion_bits, uint pixel, vec3 base, float roughness,
                   vec3 normal, vec3 viewer) {
@@ -37,18 +47,12 @@ vec3 shadeVisible(FrameParams frame, BitBuffer shadow_bits, BitBuffer occlusion_
         lit = frame.irradiance * dielectricBrdfCosine(base, roughness, normal, viewer, frame.light_direction);
         if (kShadow == kHardShadow && shadow_bits.at[pixel] != 0u) lit = vec3(0.0);
     }
-    float ambient = frame.ambient;
-    if (kOcclusion) ambient *= 1.0 - float(bitCount(occlusion_bits.at[pixel])) / float(kOcclusionRays);
-    return lit + ambient * base;
+    return lit + frame.ambient * openShare(occlusion_bits, pixel) * base;
 }
 
 // The same of a line, whose soft shadows are the share of rays that are blocked. \param tangent  unit
 vec3 shadeLine(FrameParams frame, BitBuffer shadow_bits, BitBuffer occlusion_bits, uint pixel, vec3 base, float roughness,
                vec3 tangent, vec3 viewer) {
-    vec3 lit = frame.irradiance * illuminatedLine(base, roughness, tangent, viewer, frame.light_direction);
-    if (kShadow == kHardShadow && shadow_bits.at[pixel] != 0u) lit = vec3(0.0);
-    if (kShadow == kSoftShadow) lit *= 1.0 - float(bitCount(shadow_bits.at[pixel])) / float(kShadowRays);
-    float ambient = frame.ambient;
-    if (kOcclusion) ambient *= 1.0 - float(bitCount(occlusion_bits.at[pixel])) / float(kOcclusionRays);
-    return lit + ambient * base;
+    const vec3 lit = frame.irradiance * illuminatedLine(base, roughness, tangent, viewer, frame.light_direction);
+    return litShare(shadow_bits, pixel) * lit + frame.ambient * openShare(occlusion_bits, pixel) * base;
 }

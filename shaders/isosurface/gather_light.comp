@@ -8,6 +8,7 @@
 #include "shaders/isosurface/texel_weights.glsl"
 
 layout(local_size_x_id = 0) in;
+layout(constant_id = 2) const bool kSettled = false;  // texels must be as exact as a picture at rest wants them
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer LayerBuffer { IsosurfaceParams layer; };
@@ -21,13 +22,12 @@ layout(push_constant, scalar) uniform Push {
     LatticeBuffer lattice;
     GlobalLightBuffer light;
     TexelWords lacking;    // set to 1 if some pixel needs a texel that is not there, or not as exact as a picture at rest wants it
-    float relative_error;  // that it wants; below 0: texels need only be there
+    float relative_error;  // that it wants
     uint samples_max;
     uint samples_least;
 } push;
 
 bool isDone(uint state) {
-    if ((state & TEXEL_EMPTY) != 0u || push.relative_error < 0.0) return true;
     const uint samples = 1u << (((state >> TEXEL_STAGE_SHIFT) & TEXEL_STAGE_MASK) - 1u);
     return samples >= push.samples_max || (samples >= push.samples_least && unpackHalf2x16(state).x <= push.relative_error);
 }
@@ -46,19 +46,25 @@ void main() {
     vec3 sum = vec3(0.0);
     float total = 0.0;
     bool lacking = false;
+    uint brick = 0xffffffffu, slot = 0u;  // of the texel before
     for (int i = 0; i < kTexels; ++i) {
         ivec3 texel;
         float weight = windowTexel(lattice, window, i, texel);
         if (weight <= 0.0) continue;
-        const uint slot = TexelWords(lattice.index).at[brickOf(lattice, texel)];
+        const uint wanted = brickOf(lattice, texel);
+        if (wanted != brick) {
+            brick = wanted;
+            slot = TexelWords(lattice.index).at[brick];
+        }
         lacking = lacking || slot == 0u;
         if (slot == 0u) continue;
         const uint place = (slot - 1u) * TEXELS_PER_BRICK + placeInBrick(texel);
-        const uint state = wordsAt(lattice.state, place, 1u).at[0];
-        const bool none = (state & (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT)) == 0u;
-        lacking = lacking || none || !isDone(state);
-        if (none || (state & TEXEL_EMPTY) != 0u) continue;
         const uvec2 shown = TexelPairs(lattice.shown + uint64_t(place) * 8ul).at[0];
+        if ((shown.y & TEXEL_SHOWN_LIT) == 0u) {
+            lacking = lacking || (shown.x & TEXEL_SHOWN_EMPTY) == 0u;
+            continue;
+        }
+        if (kSettled) lacking = lacking || !isDone(wordsAt(lattice.state, place, 1u).at[0]);
         if (lattice.projected != 0u) {
             const float agreement = max(dot(normal, shownNormal(shown)), 0.0);
             weight *= agreement * agreement + 1e-3;

@@ -65,12 +65,36 @@ uint orderOf(LatticeParams lattice, uint bounce) { return (lattice.orders >> (4u
 TEXEL_IRRADIANCE(float, READ_FLOAT)
 TEXEL_IRRADIANCE(half, READ_HALF)
 
-uvec2 packShown(vec3 radiance, vec3 normal) {
-    const vec3 clamped = min(radiance, vec3(65000.0));
-    const uint octahedral = packSnorm4x8(vec4(octahedralOf(normal), 0.0, 0.0)) & 0xffffu;
-    return uvec2(packHalf2x16(clamped.xy), (packHalf2x16(vec2(clamped.z, 0.0)) & 0xffffu) | (octahedral << 16u));
+// model::TexelStorage
+#define TEXELS_FLOAT32 0u
+#define TEXELS_FLOAT16 1u
+#define TEXELS_RGB8 2u
+
+uint texelWords(LatticeParams lattice, uint storage) {
+    return storage == TEXELS_RGB8 ? 1u : storage == TEXELS_FLOAT16 ? (lattice.stride + 1u) / 2u : lattice.stride;
 }
-vec3 shownRadiance(uvec2 shown) { return vec3(unpackHalf2x16(shown.x), unpackHalf2x16(shown.y & 0xffffu).x); }
+
+// Roots keep dark texels apart.
+uint packRgb8(LatticeParams lattice, vec3 irradiance) {
+    return packUnorm4x8(vec4(sqrt(clamp(irradiance * (0.318309886 / lattice.rgb8_scale), 0.0, 1.0)), 1.0));
+}
+vec3 rgb8Irradiance(LatticeParams lattice, TexelWords payload) {
+    const vec3 root = unpackUnorm4x8(payload.at[0]).rgb;
+    return root * root * (3.14159265 * lattice.rgb8_scale);
+}
+
+vec3 payloadIrradiance(LatticeParams lattice, TexelWords payload, bool transfer, uint storage) {
+    if (storage == TEXELS_RGB8) return rgb8Irradiance(lattice, payload);
+    if (transfer) return storage == TEXELS_FLOAT16 ? halfTransferred(lattice, payload) : floatTransferred(lattice, payload);
+    return storage == TEXELS_FLOAT16 ? halfIrradiance(lattice, payload) : floatIrradiance(lattice, payload);
+}
+
+uvec2 packShown(vec3 radiance, vec3 normal) {
+    const vec3 clamped = clamp(radiance, 0.0, 65000.0);
+    const uint octahedral = packSnorm4x8(vec4(octahedralOf(normal), 0.0, 0.0)) & 0xffffu;
+    return uvec2(packHalf2x16(clamped.xy), (packHalf2x16(vec2(clamped.z, 0.0)) & 0x7fffu) | TEXEL_SHOWN_LIT | (octahedral << 16u));
+}
+vec3 shownRadiance(uvec2 shown) { return vec3(unpackHalf2x16(shown.x), unpackHalf2x16(shown.y & 0x7fffu).x); }
 vec3 shownNormal(uvec2 shown) { return vectorOfOctahedral(unpackSnorm4x8(shown.y >> 16u).xy); }
 
 float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }

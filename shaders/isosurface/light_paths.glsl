@@ -65,7 +65,7 @@ PathLight followPath(LatticeParams lattice, SurfacePoint point, bool transfer, u
         if (!liftOff(lattice.volume, point.place, point.normal, point.isovalue, ray)) return light;
         const uint bounce_seed = childSeed(seed, k);
         if (!transfer) light.irradiance[k] = directIrradiance(lattice, ray, point.normal, point.isovalue, index, bounce_seed);
-        const vec3 d = cosineHemisphereSample(point.normal, scrambledSobolPair(index, childSeed(bounce_seed, 3u)));
+        const vec3 d = cosineHemisphereSample(point.normal, pathPair(lattice, index, childSeed(bounce_seed, 3u)));
         ray.direction = gridVector(lattice.volume, d);
         const VolumeHit hit = traceVolume(lattice.volume, ray, point.isovalue, 0.0, VOLUME_MISS, true);
         if (hit.t >= VOLUME_MISS) {

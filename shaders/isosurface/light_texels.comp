@@ -7,7 +7,7 @@
 
 layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kTransfer = false;
-layout(constant_id = 2) const bool kHalf = true;  // how payloads are kept
+layout(constant_id = 2) const uint kStorage = TEXELS_FLOAT16;
 
 // coverage: the texel's row of sums; state: paths of each replicate that its sums have, and afterwards its new state.
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ItemBuffer { TexelItem at[]; };
@@ -35,6 +35,7 @@ void main() {
     SurfacePoint point;
     if (!texelSurface(lattice, texelOf(lattice, item.texel), point)) {
         state.at[0] = TEXEL_EMPTY | (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT);
+        TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = uvec2(TEXEL_SHOWN_EMPTY, 0u);
         push.items.at[item_number].state = state.at[0];
         return;
     }
@@ -79,17 +80,21 @@ void main() {
         squares += off * off;
     }
     const float relative = sqrt(squares / 12.0) / max(mean, lattice.irradiance_floor);
-    const uint words = kHalf ? (lattice.stride + 1u) / 2u : lattice.stride;
-    TexelWords payload = wordsAt(lattice.payload, item.place, words);
-    for (uint i = 0u; i < lattice.stride; ++i) {
+    TexelWords payload = wordsAt(lattice.payload, item.place, texelWords(lattice, kStorage));
+    if (kStorage == TEXELS_RGB8) {
+        vec3 sum = vec3(0.0), weight = vec3(scale);
+        for (uint k = 0u; k <= lattice.bounces; ++k) {
+            sum += weight * vec3(sums.at[3u * k], sums.at[3u * k + 1u], sums.at[3u * k + 2u]);
+            weight *= lattice.albedo;
+        }
+        payload.at[0] = packRgb8(lattice, sum);
+    } else for (uint i = 0u; i < lattice.stride; ++i) {
         const float value = scale * sums.at[i];
-        if (!kHalf) payload.at[i] = floatBitsToUint(value);
+        if (kStorage == TEXELS_FLOAT32) payload.at[i] = floatBitsToUint(value);
         else if ((i & 1u) == 1u) payload.at[i >> 1u] = packHalf2x16(clamp(vec2(scale * sums.at[i - 1u], value), -65000.0, 65000.0));
         else if (i + 1u == lattice.stride) payload.at[i >> 1u] = packHalf2x16(clamp(vec2(value, 0.0), -65000.0, 65000.0));
     }
-    vec3 irradiance;
-    if (kTransfer) irradiance = kHalf ? halfTransferred(lattice, payload) : floatTransferred(lattice, payload);
-    else irradiance = kHalf ? halfIrradiance(lattice, payload) : floatIrradiance(lattice, payload);
+    const vec3 irradiance = payloadIrradiance(lattice, payload, kTransfer, kStorage);
     TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = packShown(irradiance / kPi, point.normal);
     const uint stage = uint(findMSB(LATTICE_REPLICATES * push.path_end)) + 1u;
     state.at[0] = (packHalf2x16(vec2(min(relative, 60000.0), 0.0)) & 0xffffu) | (stage << TEXEL_STAGE_SHIFT);

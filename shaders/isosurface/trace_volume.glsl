@@ -1,11 +1,11 @@
 // First crossing of an isosurface along a ray: a walk through the grid that leaves out blocks and bricks without the isovalue, and
 // the cubic of each cell that has it. No step size: what the trilinear volume has is found.
 // Cells that share a face see the same value there (cubic.glsl), and the side on which the ray is goes along with it over everything
-// that is left out, so rays do not slip through between cells. Twin: server/reference/volume_function.
+// that is left out, so rays do not slip through between cells. Twin: server/reference/scalar_field.
 // Sources: Amanatides and Woo 1987 (the walk); Parker et al. 1998 (ranges of macrocells).
 #ifndef RADIATA_ISOSURFACE_TRACE_VOLUME
 #define RADIATA_ISOSURFACE_TRACE_VOLUME
-#include "shaders/isosurface/volume.glsl"
+#include "shaders/common/volume.glsl"
 
 // The point at parameter t is base + origin + t * direction, in grid coordinates. Precision is that of origin + t * direction, so
 // base is best near to where the hits are expected; 0 will do for a ray that begins on a grid point's cell.

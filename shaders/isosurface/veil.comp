@@ -7,6 +7,8 @@
 #include "shaders/common/brdf.glsl"
 
 layout(constant_id = 5) const uint kCrossings = 16u;  // at most, of one ray
+layout(constant_id = 10) const uint kSurfaceLooks = 0u;  // what no layer has is not compiled
+#include "shaders/common/surface_shading.glsl"
 
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 layout(buffer_reference, scalar) writeonly buffer VeilBuffer { vec4 at[]; };  // radiance, transmittance
@@ -17,9 +19,21 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     LookBuffer looks;
     VeilBuffer veil;
+    SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
     uint transparent;      // bit i: layer i is a transparent isosurface
     uint first_block_row;  // of this dispatch, in blocks of 8x8 pixels
 } push;
+
+// Radiance towards the viewer of a crossing at t of layer i.
+vec3 veilRadiance(FrameParams frame, uint i, LayerLook look, PixelRay ray, float t, vec3 normal) {
+    vec3 base = look.uniform_colour, lit;
+    if (kSurfaceLooks == 0u) return shadeDielectric(base, 0.45, normal, -ray.direction, frame.light_direction, frame.irradiance, frame.ambient);
+    const SurfaceLook own = push.surface_looks.at[i];
+    base = surfaceColour(own, look, ray.origin + t * ray.direction);
+    if (shadesItself(own)) lit = shadeItself(frame, own, base, normal, -ray.direction, 1.0, 1.0);
+    else lit = shadeDielectric(base, 0.45, normal, -ray.direction, frame.light_direction, frame.irradiance, frame.ambient);
+    return mix(lit, frame.background, surfaceFog(frame, own, ray, t));
+}
 
 void main() {
     const FrameParams frame = push.frame.frame;
@@ -56,8 +70,7 @@ void main() {
         const IsosurfaceParams layer = push.layers.at[nearest];
         const LayerLook look = push.looks.at[nearest];
         const vec3 normal = surfaceNormal(layer.volume, hits[nearest], ray.direction);
-        const vec3 lit = shadeDielectric(look.uniform_colour, 0.45, normal, -ray.direction, frame.light_direction, frame.irradiance,
-                                         frame.ambient);
+        const vec3 lit = veilRadiance(frame, nearest, look, ray, t, normal);
         radiance += through * look.opacity * min(lit, vec3(1.0));
         through *= 1.0 - look.opacity;
         // Go on a little behind, on the surface's other side.

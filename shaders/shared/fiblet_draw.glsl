@@ -63,6 +63,11 @@ struct FibletLayerParams {
     uint64_t codes;       // uint[]
     uint64_t boxes;       // FibletBox[fiblets]
     uint64_t states;      // FIBRE_SHOWN, ... of each fibre, four bytes to a word; 0: all are shown
+    uint64_t segments;    // uint64_t[fiblets]: bit i says that segment i is shown; 0: all are
+    uint64_t peeled;      // uint64_t[pixels]: of transparent layers, the word that was composed last; before the first, what is opaque
+    uint64_t fragments;   // uint[pixels]: of transparent layers while moving, segments before what is opaque
+    uint64_t inside;      // one bit per pixel: it counts for what is found
+    uint64_t found;       // one bit per fibre: it is drawn through such a pixel
     uint64_t words;       // uint64_t[pixels]: order of depths << 32 | who
     uint64_t tangents;    // uint64_t[pixels]: direction << 32 | who
     uint64_t visible;     // one bit per fiblet: won a pixel of the latest picture
@@ -78,7 +83,7 @@ struct FibletLayerParams {
     float detail_px;  // pixels that lines may be off
     float end_slack;  // mm that a fiblet's end may be from the start of the next
 };
-STATIC_SIZE(FibletLayerParams, 408);
+STATIC_SIZE(FibletLayerParams, 448);
 
 // A decoded fiblet on its way to the rasteriser.
 struct FibletSlot {
@@ -100,9 +105,10 @@ struct FibletCounts {
     uint listed;    // fiblets in the list
     uint pages;     // that were looked into
     uint repaired;  // pixels whose tangent another fiblet had overwritten
+    uint more;      // pixels of a transparent layer that show what is behind the segment composed last
     uint error_px;  // bits of a float: largest bound on how far a simplified line is off
 };
-STATIC_SIZE(FibletCounts, 16);
+STATIC_SIZE(FibletCounts, 20);
 
 SHADER_NAMESPACE_END
 #endif

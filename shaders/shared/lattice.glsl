@@ -5,13 +5,16 @@
 SHADER_NAMESPACE_BEGIN
 
 // A texel's state: its relative standard error as a half, the number of doublings of its samples plus one (0: it has none), and whether
-// there is no surface through it (the smoothed gradient vanishes).
+// there is no surface through it (the smoothed gradient vanishes). What is shown of it says the same without the state: radiance is
+// positive, so signs of halves are free. That of the third is set for a texel with light, that of the first for one without a surface.
 #ifdef __cplusplus
 constexpr uint TEXEL_BRICK_SHIFT = 3;
 constexpr uint TEXELS_PER_BRICK = 512;
 constexpr uint TEXEL_STAGE_SHIFT = 16;
 constexpr uint TEXEL_STAGE_MASK = 0xffu;
 constexpr uint TEXEL_EMPTY = 1u << 24u;
+constexpr uint TEXEL_SHOWN_LIT = 0x8000u;
+constexpr uint TEXEL_SHOWN_EMPTY = 0x8000u;
 constexpr uint LATTICE_REPLICATES = 4;
 constexpr uint LATTICE_COVERAGE_ONE = 256;
 #else
@@ -20,6 +23,8 @@ constexpr uint LATTICE_COVERAGE_ONE = 256;
 #define TEXEL_STAGE_SHIFT 16u
 #define TEXEL_STAGE_MASK 0xffu
 #define TEXEL_EMPTY (1u << 24u)
+#define TEXEL_SHOWN_LIT 0x8000u
+#define TEXEL_SHOWN_EMPTY 0x8000u
 #define LATTICE_REPLICATES 4u
 #define LATTICE_COVERAGE_ONE 256.0
 #endif
@@ -32,6 +37,14 @@ struct SunParams {
     float pad;
 };
 STATIC_SIZE(SunParams, 32);
+
+// A pixel of the map that is brighter than the map's cap, by the alias method: with probability `keep` it is `pixel`, else `other`.
+struct BrightPixel {
+    uint pixel;
+    uint other;
+    float keep;
+};
+STATIC_SIZE(BrightPixel, 12);
 
 struct SphereLightParams {
     vec3 position;    // grid coordinates
@@ -53,13 +66,16 @@ struct LatticeLight {
     vec3 map_z;
     uint sun_count;
     uint sphere_count;
-    uint pad;
+    uint bright_count;
+    float map_cap;       // luminance before the scale; what is above it is found by directions to bright pixels, what is below by chance
+    float bright_weight; // luminance above the cap times solid angle and scale, summed over the map
+    uint64_t bright;     // BrightPixel[]
     uint64_t map;        // vec3[map_width * map_height]
     uint64_t suns;       // SunParams[]
     uint64_t spheres;    // SphereLightParams[]
     uint64_t harmonics;  // vec3[25], of a lattice with transfer
 };
-STATIC_SIZE(LatticeLight, 128);
+STATIC_SIZE(LatticeLight, 144);
 
 // Texel (i, j, k) lies at (i, j, k) * voxels_per_texel in grid coordinates, or at the volume's last samples if that is beyond them.
 struct LatticeParams {
@@ -82,13 +98,15 @@ struct LatticeParams {
     uint64_t wanted;    // uint[bricks]: number of the latest request that needs it
     uint64_t coverage;  // uint[slots * 512]: LATTICE_COVERAGE_ONE times the pixels that need it
     uint64_t state;     // uint[slots * 512]
-    uint64_t payload;   // float or half [slots * 512 * stride]
-    uint64_t shown;     // uvec2[slots * 512]: radiance of a white surface as three halves, and the normal in 16 bits
+    uint64_t payload;   // float or half [slots * 512 * stride], or four bytes each
+    uint64_t shown;     // uvec2[slots * 512]: radiance of a white surface as three halves, and the normal in 16 bits; see TEXEL_SHOWN_LIT
     LatticeLight light;
     uint request;       // number of this request
     uint interpolation; // as model::TexelInterpolation
+    uint random_paths;  // 1: of independent random points
+    float rgb8_scale;   // radiance of a white surface that the largest 8-bit number stands for
 };
-STATIC_SIZE(LatticeParams, 392);
+STATIC_SIZE(LatticeParams, 416);
 
 // A texel that pixels need.
 struct TexelItem {

@@ -34,6 +34,9 @@ constexpr uint FIBRE_COLOUR_OWN = 2;
 constexpr uint FIBRE_COLOUR_GROUP = 3;
 constexpr uint FIBRE_COLOUR_COLUMN = 4;
 constexpr uint FIBRE_COLOUR_LENGTH = 5;
+constexpr uint FIBRE_COLOUR_POINT = 6;
+constexpr uint FIBRE_COLOUR_DISTANCE = 7;
+constexpr uint FIBRE_COLOUR_ENDS = 8;
 #else
 #define FIBRE_COLOUR_DIRECTION 0u
 #define FIBRE_COLOUR_UNIFORM 1u
@@ -41,6 +44,9 @@ constexpr uint FIBRE_COLOUR_LENGTH = 5;
 #define FIBRE_COLOUR_GROUP 3u
 #define FIBRE_COLOUR_COLUMN 4u
 #define FIBRE_COLOUR_LENGTH 5u
+#define FIBRE_COLOUR_POINT 6u
+#define FIBRE_COLOUR_DISTANCE 7u
+#define FIBRE_COLOUR_ENDS 8u
 #endif
 
 struct LayerLook {
@@ -59,8 +65,13 @@ struct LayerLook {
     float unselected;    // factor on the light of fibres that are not selected
     float occlusion_px;  // radius of occlusion in screen space, pixels; 0: none
     float halo_px;       // width of halos; 0: none
+    uint64_t point_ranges;  // of fibres coloured per point: vec2[fiblets], value of byte 0 and of 254; `values` has 64 bytes a fiblet
+    vec3 grid_origin;       // of fibres coloured by distance: node 0 from the rays' reference point, mm; `values` has the nodes, x fastest
+    float grid_step;        // mm
+    ivec3 grid_size;        // nodes
+    uint grid_pad;
 };
-STATIC_SIZE(LayerLook, 88);
+STATIC_SIZE(LayerLook, 128);
 
 SHADER_NAMESPACE_END
 #endif

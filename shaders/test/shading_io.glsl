@@ -21,8 +21,11 @@ struct ShadingOutput {
     vec3 srgb;    // of `base`
     vec3 linear;  // of `base`, taken as sRGB
     vec3 line;    // of a line along `normal`, lit by one light
+    vec3 phong;
+    vec3 lambert;
+    float ambient;
 };
-STATIC_SIZE(ShadingOutput, 48);
+STATIC_SIZE(ShadingOutput, 76);
 
 SHADER_NAMESPACE_END
 #endif

@@ -3,7 +3,7 @@
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/test/function.glsl"
 #include "shaders/test/isosurface_io.glsl"
-#include "shaders/isosurface/volume.glsl"
+#include "shaders/common/volume.glsl"
 
 FUNCTION_OVER(GradientInput, GradientOutput)
 

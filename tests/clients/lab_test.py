@@ -14,8 +14,10 @@ LAB = pathlib.Path(os.environ["RADIATA_BIN"]) / "radiata-lab"
 RUNTIME = r"^(linux-vdso|libvulkan|libstdc\+\+|libm|libgcc_s|libc|ld-linux-x86-64)\.so"
 EXPERIMENTS = ["glyph-frame", "march-vs-polynomial", "glyph-pareto", "peters-bounds", "peters-table1", "peters-fig1", "peters-fig3", "peters-fig4",
                "peters-fig5", "peters-fig6", "peters-fig7", "hlawitschka-table1", "hlawitschka-table2", "hlawitschka-fig1", "hlawitschka-fig2", "hlawitschka-fig5",
-               "isosurface-hits", "wyman-fig5", "wyman-table2", "wyman-fig6", "wyman-fig7", "wyman-fig12", "illumination-pareto", "fiblet-codec",
-               "schertzer-table1", "schertzer-fig9", "fiblet-scaling"]
+               "isosurface-hits", "wyman-fig5", "wyman-table2", "wyman-fig6", "wyman-fig7", "wyman-fig9", "wyman-fig12", "wyman-table1", "wyman-fig4", "wyman-fig10", "wyman-fig11",
+               "illumination-sampling", "illumination-first", "illumination-memory", "illumination-pareto", "fiblet-codec",
+               "schertzer-table1", "schertzer-fig9", "fiblet-pipelines", "schertzer-table2", "schertzer-table3", "schertzer-fig8",
+               "fiblet-scaling"]
 
 
 def lab(*arguments):

@@ -19,6 +19,10 @@ class SelectTest(unittest.TestCase):
         data = cls.folder / "data"
         data.mkdir()
         run("radiata-phantom", data / "brain.nii", "--size", 8, "--lmax", 2, "--tracts", data / "bundles.trx", "--fibres", 400)
+        # A box of six sides around the left half.
+        corners = [f"v {-200 if c & 1 else 0} {200 if c & 2 else -200} {200 if c & 4 else -200}\n" for c in range(8)]
+        sides = ["1 3 4 2", "5 6 8 7", "1 2 6 5", "3 7 8 4", "1 5 7 3", "2 4 8 6"]
+        (data / "left.obj").write_text("".join(corners) + "".join(f"f {side}\n" for side in sides))
         cls.server = ServerProcess([BIN / "radiata-server", "--listen", "127.0.0.1:0", "--data", data, "--tract-cache",
                                     cls.folder / "cache"])
         cls.addClassCleanup(cls.server.stop)
@@ -47,6 +51,35 @@ class SelectTest(unittest.TestCase):
         self.assertEqual(self.count("not (all plane(0, 0, 0, 1, 0, 0) or all plane(0, 0, 0, -1, 0, 0))"), crossing)
         self.assertEqual(self.radiata("select", "bundles", "fibres(3, 390-500)").stdout, "11 of 400 fibres\n")
         self.assertEqual(self.radiata("select", "bundles", "fibres(3, 398-500)", "--list").stdout, "3\n398\n399\n")
+
+    def test_meshes_select_and_cut(self):
+        self.assertRegex(self.radiata("list").stdout, r"\nleft +mesh")
+        self.assertEqual(json.loads(self.radiata("info", "left", "--json").stdout)["triangles"], 12)
+        self.assertEqual(self.count("all mesh(left)"), self.count("all plane(0, 0, 0, 1, 0, 0)"))
+        picture = ["--tracts", "bundles", "--size", "64x48", "--samples", 1, "--no-annotations"]
+        seen = {}
+        for name, flags in {"all": [], "left": ["--cut-inside", "mesh(left)"], "right": ["--cut-outside", "mesh(left)"],
+                            "one": ["--show", "fibres(3)"]}.items():
+            lasso = self.radiata("lasso", *picture, *flags, "--outline", "0,0,64,48", "--list").stdout.split()
+            seen[name] = {int(fibre) for fibre in lasso}
+            through = self.radiata("lasso", *picture, *flags, "--outline", "0,0,64,48", "--through", "--json").stdout
+            self.assertLessEqual(seen[name], set(json.loads(through)["layers"][0]["fibres"]))
+        self.assertEqual(seen["one"], {3})
+        self.assertGreater(len(seen["all"]), 30)
+        self.assertTrue(seen["left"] and seen["right"])
+        looks = ["--fibre-colour", "point", "--fibre-column", "along", "--criterion", "along,0.2,0.9", "--select", "group(cst_left)",
+                 "--fibre-opacity", 0.5, "--fxaa", "--exact-width", "-o", self.folder / "look.png"]
+        groups = [entry["name"] for entry in json.loads(self.radiata("info", "bundles", "--json").stdout)["fibre_groups"]]
+        looks[looks.index("group(cst_left)")] = f'group("{groups[0]}")'
+        self.radiata("render", *picture, *looks)
+        self.assertTrue((self.folder / "look.png").read_bytes().startswith(b"\x89PNG"))
+        distance = ["--fibre-colour", "distance", "--fibre-near", "mesh(left)", "-o", self.folder / "far.png"]
+        self.radiata("render", *picture, *distance)
+        for flags, words in ((["--cut-inside", "mesh(brain)"], "mesh"), (["--criterion", "along,1,0"], "at most"),
+                             (["--fibre-colour", "ends", "--show", "sphere(1)"], "character")):
+            done = self.radiata("render", *picture, *flags, "-o", self.folder / "no.png", check=False)
+            self.assertEqual(done.returncode, 4, done.stderr)
+            self.assertIn(words, done.stderr)
 
     def test_wrong_selections_are_refused_with_a_sentence(self):
         for selection, words in (("sphere(1, 2)", "at character 7"), ("group(none)", "there are: "), ("mask(brain)", "scalar")):

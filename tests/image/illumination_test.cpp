@@ -2,11 +2,15 @@
 // refused.
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
+
+#include <unistd.h>
 
 #include <gmock/gmock.h>
 
 #include "build/folded_ball.h"
 #include "image/fixture.h"
+#include "io/nifti_write.h"
 #include "reference/path_tracer.h"
 #include "store/volume_dataset.h"
 
@@ -69,8 +73,8 @@ TEST_F(GlobalLight, CostsNothingWhereItIsNotAskedFor) {
     EXPECT_FALSE(frame.info.illumination);
     const std::size_t pipelines = renderer.pipelineCount();
     renderer.renderAll(request(30));
-    // Two ways to request, collecting, lighting, gathering, and another light pass for first and later samples.
-    EXPECT_EQ(renderer.pipelineCount(), pipelines + 7);
+    // Two ways to request, collecting, lighting, gathering for first and later samples, and another light pass for each.
+    EXPECT_EQ(renderer.pipelineCount(), pipelines + 8);
 }
 
 TEST_F(GlobalLight, OfAConvexSurfaceUnderAnEvenSkyIsEven) {
@@ -227,6 +231,66 @@ TEST_F(GlobalLight, EveryWayToInterpolateIsNearToTheOthers) {
     }
 }
 
+TEST_F(GlobalLight, OfAnEvenMapIsThatOfAnEvenSky) {
+    store.add("volume", foldedBall(24));
+    store.add("sky", model::EnvironmentMap{8, 4, std::vector<glm::vec3>(32, glm::vec3(0.4F)), "made", {}});
+    for (const model::TexelPayload payload : {model::TexelPayload::kIrradiance, model::TexelPayload::kTransfer}) {
+        model::FrameRequest sky = request(30), map = sky;
+        lightOf(sky).payload = lightOf(map).payload = payload;
+        lightOf(map).environment = model::EnvironmentLight{"sky", 2};
+        const model::Frame a = renderer.renderAll(sky), b = renderer.renderAll(map);
+        // Sums of a map's harmonics over its pixels differ from a sky's by some millionths: steps of 8 bits, here and there.
+        int far = 0;
+        for (std::size_t i = 0; i < a.pixels.rgba.size(); ++i) far += std::abs(a.pixels.rgba[i] - b.pixels.rgba[i]) > 3;
+        EXPECT_LT(far, payload == model::TexelPayload::kIrradiance ? 1 : 100);
+    }
+    model::FrameRequest wanted = request(30);
+    lightOf(wanted).environment = model::EnvironmentLight{"volume", 1};
+    EXPECT_EQ(codeOf([&] { renderer.renderAll(wanted); }), Code::kInvalidArgument) << "no map";
+    lightOf(wanted).environment = model::EnvironmentLight{"nothing", 1};
+    EXPECT_EQ(codeOf([&] { renderer.renderAll(wanted); }), Code::kNotFound);
+}
+
+TEST_F(GlobalLight, WholeLatticesServeEveryCameraAndTheNextStart) {
+    const std::filesystem::path folder =
+        std::filesystem::temp_directory_path() / ("radiata-lattices-" + std::to_string(::getpid()));
+    std::filesystem::create_directories(folder);
+    const model::ScalarImage ball = foldedBall(24);
+    io::writeNifti({{24, 24, 24, 1}, ball.voxel_to_world, ball.values, ""}, folder / "volume.nii");
+    store.add(folder / "volume.nii");
+    model::FrameRequest wanted = request(30);
+    lightOf(wanted).full = true;
+    lightOf(wanted).project = false;
+    lightOf(wanted).samples_max = 32;
+    const model::Frame first = renderer.renderAll(wanted);
+    EXPECT_EQ(first.info.illumination->texels_done, 24u * 24 * 24);
+    EXPECT_THAT(first.info.illumination->saved,
+                testing::AllOf(testing::StartsWith("volume.nii-"), testing::EndsWith(".lattice")));
+    model::FrameRequest turned = wanted;
+    turned.camera.eye_mm = {-60, 40, -25};
+    turned.scene.layers[0].surface().isovalue = 45;
+    lightOf(turned).full = false;
+    EXPECT_EQ(renderer.renderAll(turned).info.illumination->samples, 0u) << "every camera and isovalue has its texels";
+
+    // Another start: the same texels without a path.
+    store::Store next_store(device, {});
+    next_store.add(folder / "volume.nii");
+    render::Renderer next(device, next_store);
+    const model::Frame again = next.renderAll(wanted);
+    EXPECT_EQ(again.info.illumination->texels_read, 24u * 24 * 24);
+    EXPECT_EQ(again.info.illumination->samples, 0u);
+    EXPECT_EQ(again.pixels.rgba, first.pixels.rgba);
+    // A file that was cut short is no reason to fail.
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        if (entry.path().extension() == ".lattice") std::filesystem::resize_file(entry.path(), 5000);
+    }
+    store::Store third_store(device, {});
+    third_store.add(folder / "volume.nii");
+    render::Renderer third(device, third_store);
+    EXPECT_EQ(third.renderAll(wanted).pixels.rgba, first.pixels.rgba);
+    std::filesystem::remove_all(folder);
+}
+
 TEST_F(GlobalLight, RefusesWhatCannotBe) {
     store.add("volume", ball(12, 4));
     const auto refused = [&](const std::function<void(model::Illumination&)>& change) {
@@ -241,6 +305,13 @@ TEST_F(GlobalLight, RefusesWhatCannotBe) {
     EXPECT_EQ(refused([](auto& light) { light.sky.gradient.y = -1; }), Code::kInvalidArgument) << "negative sky";
     EXPECT_EQ(refused([](auto& light) { light.rotation = {0, 0, 0, 0}; }), Code::kInvalidArgument);
     EXPECT_EQ(refused([](auto& light) { light.suns.emplace_back().angular_radius_deg = 0; }), Code::kInvalidArgument);
+    EXPECT_EQ(refused([](auto& light) { light.full = true; }), Code::kInvalidArgument) << "all texels on one surface";
+    EXPECT_EQ(refused([](auto& light) {
+                  light.payload = model::TexelPayload::kTransfer;
+                  light.storage = model::TexelStorage::kRgb8;
+              }),
+              Code::kInvalidArgument);
+    EXPECT_EQ(refused([](auto& light) { light.environment = model::EnvironmentLight{"sky", -1}; }), Code::kInvalidArgument);
     EXPECT_EQ(refused([](auto& light) {
                   light.lights.emplace_back();
                   light.payload = model::TexelPayload::kTransfer;

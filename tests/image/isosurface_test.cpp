@@ -9,14 +9,14 @@
 #include "build/folded_ball.h"
 #include "image/fixture.h"
 #include "reference/camera_rays.h"
+#include "reference/scalar_field.h"
 #include "reference/shading.h"
-#include "reference/volume_function.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::test {
 namespace {
 
-using reference::VolumeFunction;
+using reference::ScalarField;
 
 class Isosurfaces : public ImageTest {
 protected:
@@ -75,7 +75,7 @@ reference::Ray gridRay(const model::ScalarImage& image, const reference::Ray& ra
 TEST_F(Isosurfaces, ShowTheReferencesHitsAndNormals) {
     const model::ScalarImage image = turned(foldedBall(48));
     store.add("ball", image);
-    const VolumeFunction volume(image);
+    const ScalarField volume(image);
     for (const bool perspective : {true, false}) {
         model::FrameRequest request = surfaceOf("ball", 30.0F);
         request.camera = cameraOn(image, {2, -3, 1}, perspective);
@@ -142,6 +142,47 @@ TEST_F(Isosurfaces, AreTheSameWithoutBricksAndNearlySoByMarching) {
     EXPECT_LT(marched.worst_apart, 0.05);
     request.quality.isosurface.normals = model::SurfaceNormals::kTrilinear;
     EXPECT_NE(draw(request).pixels.normal, exact.pixels.normal);
+}
+
+TEST_F(Isosurfaces, OfTrianglesLieNearTheSurface) {
+    const model::ScalarImage image = turned(foldedBall(48));
+    store.add("ball", image);
+    model::FrameRequest request = surfaceOf("ball", 30.0F);
+    request.camera = cameraOn(image, {2, -3, 1}, true);
+    const model::Frame exact = draw(request);
+    request.quality.isosurface.method = model::SurfaceMethod::kMarchingCubes;
+    const model::Frame triangles = draw(request);
+    EXPECT_EQ(passNames(triangles), (std::vector<std::string>{"isosurface mesh", "isosurface surface", "light", "resolve"}));
+    int hits = 0, other = 0, near = 0;
+    double turned_by = 0;
+    for (std::size_t at = 0; at < exact.pixels.depth.size(); ++at) {
+        const bool a = exact.pixels.id[4 * at] == 0, b = triangles.pixels.id[4 * at] == 0;
+        other += a != b;
+        if (!a || !b) continue;
+        ++hits;
+        glm::dvec3 n(0), apart = exact.info.position_origin_mm - triangles.info.position_origin_mm;
+        double cosine = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            n[static_cast<int>(c)] = exact.pixels.normal[3 * at + c];
+            cosine +=
+                static_cast<double>(exact.pixels.normal[3 * at + c]) * static_cast<double>(triangles.pixels.normal[3 * at + c]);
+            apart[static_cast<int>(c)] += static_cast<double>(exact.pixels.position[3 * at + c]) -
+                                          static_cast<double>(triangles.pixels.position[3 * at + c]);
+        }
+        near += std::abs(glm::dot(apart, n)) < 0.1;  // voxels are 2 mm
+        turned_by += std::acos(std::min(cosine, 1.0)) * 180 / 3.14159265;
+    }
+    std::printf("%d hits, %d other, %d within 0.1 mm, normals %.2g degrees apart\n", hits, other, near, turned_by / hits);
+    EXPECT_LT(other, hits / 100);
+    EXPECT_GT(near, hits * 9 / 10);
+    EXPECT_LT(turned_by / hits, 5);
+    // Beside glyphs and in any order the nearer one shows.
+    store.add("glyphs", randomField({4, false}, {5, 5, 5}, 71, glm::dmat4(1.0)));
+    request.scene.layers.push_back(requestOf("glyphs", 96, 72, 0.5F).scene.layers[0]);
+    const model::Frame after = draw(request);
+    std::swap(request.scene.layers[0], request.scene.layers[1]);
+    const model::Frame before = draw(request);
+    EXPECT_EQ(after.pixels.depth, before.pixels.depth);
 }
 
 TEST_F(Isosurfaces, AndGlyphsHideEachOtherByDepthInAnyOrder) {
@@ -217,7 +258,7 @@ TEST_F(Isosurfaces, ThatAreTransparentShowWhatIsInside) {
 TEST_F(Isosurfaces, CastTheReferencesHardShadows) {
     const model::ScalarImage image = foldedBall(48);
     store.add("ball", image);
-    const VolumeFunction volume(image);
+    const ScalarField volume(image);
     model::FrameRequest request = surfaceOf("ball", 30.0F);
     request.camera = cameraOn(image, {2, -3, 1}, true);
     request.scene.light.direction_world = glm::normalize(glm::dvec3(1, 0.2, 0.8));

@@ -120,7 +120,7 @@ export class App {
   private async first(signal: AbortSignal): Promise<Dataset> {
     let failure: unknown = new ConnectError("The server has no datasets to show.", Code.Unavailable);
     for (const { id, kind } of this.datasets) {
-      if (kind === DatasetKind.SCALAR_VOLUME) continue;
+      if (kind !== DatasetKind.SH_IMAGE && kind !== DatasetKind.TENSOR_IMAGE) continue;
       try {
         return await this.details(id, signal);
       } catch (error) {

@@ -2,6 +2,7 @@
 import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
 import { ColourMap } from "./generated/radiata/v1/colour_pb";
 import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
+import { fibreChoices, fibreColours } from "./scene/fibres";
 import { type Region, type Settings, adapt, colourChoices, isMapped, surfaceChoices } from "./scene/settings";
 import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
 
@@ -56,6 +57,11 @@ export class Controls {
   private readonly surface = element("surface", HTMLSelectElement);
   private readonly isovalue = element("isovalue", HTMLInputElement);
   private readonly surfaceOpacity = element("surface-opacity", HTMLInputElement);
+  private readonly fibres = element("fibres", HTMLSelectElement);
+  private readonly fibreColour = element("fibre-colour", HTMLSelectElement);
+  private readonly fibreSelection = element("fibre-selection", HTMLInputElement);
+  private readonly fibreTubes = element("fibre-tubes", HTMLInputElement);
+  private readonly fibreOpacity = element("fibre-opacity", HTMLInputElement);
   private readonly convention = element("convention", HTMLSelectElement);
   private datasets: readonly Dataset[] = [];
   private settings: Settings | null = null;
@@ -87,6 +93,14 @@ export class Controls {
     on(this.surface, (s) => ({ ...s, surface: this.surface.value, isovalue: null }));
     on(this.isovalue, (s) => ({ ...s, isovalue: Number.isFinite(this.isovalue.valueAsNumber) ? this.isovalue.valueAsNumber : null }));
     on(this.surfaceOpacity, (s) => ({ ...s, surfaceOpacity: Math.min(1, positive(this.surfaceOpacity, s.surfaceOpacity)) }));
+    on(this.fibres, (s) => ({ ...s, fibres: { ...s.fibres, datasetId: this.fibres.value, colour: "direction", selection: "" } }));
+    on(this.fibreColour, (s) => ({ ...s, fibres: { ...s.fibres, colour: this.fibreColour.value } }));
+    on(this.fibreSelection, (s) => ({ ...s, fibres: { ...s.fibres, selection: this.fibreSelection.value.trim() } }));
+    on(this.fibreTubes, (s) => {
+      const radius = this.fibreTubes.valueAsNumber;
+      return { ...s, fibres: { ...s.fibres, tubesMm: radius > 0 ? radius : null } };
+    });
+    on(this.fibreOpacity, (s) => ({ ...s, fibres: { ...s.fibres, opacity: Math.min(1, positive(this.fibreOpacity, s.fibres.opacity)) } }));
     on(this.convention, (s) => ({ ...s, convention: kConventions[this.convention.value] ?? s.convention }));
   }
 
@@ -105,7 +119,7 @@ export class Controls {
     this.settings = settings;
     const dataset = this.current(settings);
     if (!dataset) return;
-    const shown = datasets.filter(({ kind }) => kind !== DatasetKind.SCALAR_VOLUME);
+    const shown = datasets.filter(({ kind }) => kind === DatasetKind.SH_IMAGE || kind === DatasetKind.TENSOR_IMAGE);
     options(this.dataset, shown.map(({ id }) => [id, id] as const), settings.datasetId);
     const colours = colourChoices(dataset, datasets);
     options(this.colour, colours.map((colour) => [colour, colour.replace("scalar:", "")] as const), settings.colour);
@@ -135,6 +149,17 @@ export class Controls {
     this.isovalue.value = settings.isovalue === null ? "" : String(settings.isovalue);
     this.surfaceOpacity.value = String(settings.surfaceOpacity);
     document.body.dataset.surface = String(settings.surface !== "");
+    const tracts = datasets.find(({ id }) => id === settings.fibres.datasetId);
+    options(this.fibres, [["", "none"] as const, ...fibreChoices(datasets).map((id) => [id, id] as const)], settings.fibres.datasetId);
+    options(
+      this.fibreColour,
+      fibreColours(tracts).map((colour) => [colour, colour.replace(/^(column|point):/, "")] as const),
+      settings.fibres.colour,
+    );
+    this.fibreSelection.value = settings.fibres.selection;
+    this.fibreTubes.value = settings.fibres.tubesMm === null ? "" : String(settings.fibres.tubesMm);
+    this.fibreOpacity.value = String(settings.fibres.opacity);
+    document.body.dataset.fibres = String(settings.fibres.datasetId !== "");
     this.convention.value = nameOf(kConventions, settings.convention);
     document.body.dataset.region = settings.region;
   }

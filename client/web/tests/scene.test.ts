@@ -4,6 +4,7 @@ import { describe, expect, it } from "vitest";
 import { type Dataset, DatasetKind, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
 import { ColourMap } from "../src/generated/radiata/v1/colour_pb";
 import { NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
+import { fibreChoices, fibreColours, noFibres } from "../src/scene/fibres";
 import { adapt, colourChoices, surfaceChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
 import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
 
@@ -94,6 +95,23 @@ describe("settings", () => {
     expect(adapt(settings, flipped).colour).toBe("scalar:fa");
     expect(adapt({ ...settings, datasetId: "another" }, flipped).colour).toBe("direction");
     expect(adapt({ ...settings, colour: "radius", datasetId: "another" }, flipped).colour).toBe("radius");
+  });
+
+  it("add fibres with what colours them and what stands out", () => {
+    const tracts = create(DatasetSchema, { id: "t", kind: DatasetKind.TRACTOGRAM, fibreColumns: ["w"], vertexColumns: ["fa"] });
+    expect(fibreChoices([flipped, tracts])).toEqual(["t"]);
+    expect(fibreColours(tracts).slice(-2)).toEqual(["column:w", "point:fa"]);
+    const fibres = { ...noFibres, datasetId: "t", colour: "point:fa", selection: "group(a)", tubesMm: 0.4, opacity: 0.5 };
+    expect(scene({ ...defaultSettings(flipped), fibres }, flipped).layers?.[1]).toEqual({
+      content: {
+        case: "tractogram",
+        value: {
+          datasetId: "t", colour: { source: { case: "point", value: { name: "fa" } } }, selected: { selection: "group(a)" },
+          tubeRadiusMm: 0.4,
+        },
+      },
+      opacity: 0.5,
+    });
   });
 
   it("add the isosurface of a volume over the glyphs", () => {

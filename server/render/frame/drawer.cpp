@@ -8,6 +8,8 @@
 #include "render/frame/illumination_passes.h"
 #include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
+#include "render/frame/path_passes.h"
+#include "render/frame/surface_looks.h"
 #include "render/frame/uncertainty_passes.h"
 #include "render/frame/visibility_passes.h"
 
@@ -50,17 +52,24 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runRasterSurface(pass_run, pass);
         case plan::PassKind::kFiblets:
             return runFiblets(pass_run, pass, fiblet_pace_);
+        case plan::PassKind::kFibletPeels:
+            return runFibletPeels(pass_run, pass, fiblet_pace_);
         case plan::PassKind::kClear:
             return runClear(pass_run, pass);
         case plan::PassKind::kIsosurfaceTrace:
             return runIsosurfaceTrace(pass_run, pass, surface_bands_);
+        case plan::PassKind::kIsosurfaceMesh:
+            return runIsosurfaceMesh(pass_run, pass, triangle_pace_);
         case plan::PassKind::kIsosurfaceVeil:
             return runIsosurfaceVeil(pass_run, pass, veil_bands_);
         case plan::PassKind::kIllumination:
             return runIllumination(pass_run, pass);
+        case plan::PassKind::kPixelPaths:
+            return runPixelPaths(pass_run, pass, path_bands_);
         case plan::PassKind::kLight:
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
+        case plan::PassKind::kFxaa:
             return;  // after the last sample, by resolve()
     }
 }
@@ -70,9 +79,12 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         if (sample == 0) {
             target.samples = 0;
             target.settled = false;
+            target.path_seconds = 0;
+            target.approximate = false;
             target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillIsosurfaceParameters(device_, target, list);
+            fillSurfaceLooks(device_, target, list);
             fillVisibilityParameters(device_, target, list);
             fillUncertaintyParameters(device_, target, list);
             target.counters() = Counters{};
@@ -95,7 +107,8 @@ bool Drawer::settle(Target::Impl& target, const DrawList& list, std::optional<st
                     const std::atomic<bool>* cancel) {
     PassRun pass_run{device_, recorder_, pipelines_, target, list, 0, cancel};
     try {
-        target.settled = settleIllumination(pass_run, until);
+        const bool texels_done = settleIllumination(pass_run, until);
+        target.settled = settlePixelPaths(pass_run, until, path_bands_) && texels_done;
         for (const plan::PassPlan& pass : list.plan->passes) {
             if (pass.kind == plan::PassKind::kLight) run(pass_run, pass);
         }

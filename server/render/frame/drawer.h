@@ -10,6 +10,7 @@
 #include "render/frame/fiblet_passes.h"
 #include "render/frame/pass_run.h"
 #include "render/frame/raster_passes.h"
+#include "render/frame/triangle_passes.h"
 
 namespace radiata::render {
 
@@ -43,9 +44,10 @@ private:
     Pipelines pipelines_;
     ColourTables colour_tables_;
     std::uint64_t surfaces_ = 0;  ///< first samples drawn
-    BandSize surface_bands_, veil_bands_;
+    BandSize surface_bands_, veil_bands_, path_bands_{1};
     BandSize trace_bands_, uncertainty_bands_, visibility_bands_{1};
     DrawSize boxes_size_, mesh_size_;
+    TrianglePace triangle_pace_;
     FibletPace fiblet_pace_;
 };
 

@@ -66,6 +66,14 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     }
 }
 
+void FibletBuffers::preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted) {
+    ensureBytes(device, peeled, 8 * pixels, gpu::Memory::kDevice, "peeled words");
+    layer().peeled = peeled.address();
+    if (!counted) return;
+    ensureBytes(device, fragments, 4 * pixels, gpu::Memory::kDevice, "fragments");
+    layer().fragments = fragments.address();
+}
+
 void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
                          std::uint64_t states, std::uint32_t layer_index) {
     shader::FibletLayerParams& layer = this->layer();

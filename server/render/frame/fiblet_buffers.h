@@ -24,6 +24,7 @@ struct FibletBuffers {
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
     gpu::Buffer found_pages;                   ///< uint[pages]: in which fiblets can be seen
+    gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
     std::vector<std::uint32_t> level_offsets;  ///< of the pyramid, in words, from level 1 on
@@ -42,6 +43,8 @@ struct FibletBuffers {
     /// Buffers for a window of a picture. \param culled  lists and pyramid too \param ends  where fiblets end too
     /// \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled, bool ends);
+    /// What a transparent layer takes besides, after fill().
+    void preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted);
     /// Everything that drawing reads. \param view  of this sample
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);

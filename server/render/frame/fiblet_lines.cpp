@@ -77,7 +77,7 @@ void FibletLines::begin() {
 
 /// Constants 1 to 7 of all these shaders; see there.
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
-    using gpu::Stage;
+    using gpu::ShaderStage;
     const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
     const bool meshes = serial || plan_.pipeline == model::FibletPipeline::kMesh;
     const std::vector<std::uint32_t> constants{PassRun::kGroup,
@@ -89,30 +89,31 @@ const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool lis
                                                phase,
                                                counts ? 1U : 0U};
     gpu::Assembly assembly{.primitives = gpu::Primitives::kLineStrips, .line_width = static_cast<float>(plan_.line_width_px)};
-    std::vector<std::pair<Stage, std::string>> stages;
+    std::vector<std::pair<ShaderStage, std::string>> stages;
     switch (plan_.pipeline) {
         case model::FibletPipeline::kPull:
-            stages = {{Stage::kVertex, "fiblet_pull"}};
+            stages = {{ShaderStage::kVertex, "fiblet_pull"}};
             break;
         case model::FibletPipeline::kLines:
-            stages = {{Stage::kVertex, "fiblet_lines"}};
+            stages = {{ShaderStage::kVertex, "fiblet_lines"}};
             break;
         case model::FibletPipeline::kGeometry:
-            stages = {{Stage::kVertex, "fiblet_number"}, {Stage::kGeometry, "fiblet_strip_geometry"}};
+            stages = {{ShaderStage::kVertex, "fiblet_number"}, {ShaderStage::kGeometry, "fiblet_strip_geometry"}};
             assembly.primitives = gpu::Primitives::kPointsToLines;
             break;
         case model::FibletPipeline::kTessellation:
-            stages = {{Stage::kVertex, "fiblet_number"},
-                      {Stage::kTessellationControl, "fiblet_strip_control"},
-                      {Stage::kTessellationEvaluation, "fiblet_strip_evaluation"}};
+            stages = {{ShaderStage::kVertex, "fiblet_number"},
+                      {ShaderStage::kTessellationControl, "fiblet_strip_control"},
+                      {ShaderStage::kTessellationEvaluation, "fiblet_strip_evaluation"}};
             assembly.primitives = gpu::Primitives::kPatchesToLines;
             break;
         default:
-            stages = {{Stage::kTask, "fiblet_strip_task"},
-                      {Stage::kMesh, plan_.mesh_subgroups && !serial ? "fiblet_strip_mesh_subgroups" : "fiblet_strip_mesh"}};
+            stages = {
+                {ShaderStage::kTask, "fiblet_strip_task"},
+                {ShaderStage::kMesh, plan_.mesh_subgroups && !serial ? "fiblet_strip_mesh_subgroups" : "fiblet_strip_mesh"}};
             assembly.primitives = gpu::Primitives::kLines;
     }
-    stages.emplace_back(Stage::kFragment, meshes ? "fiblet_line_of_mesh" : "fiblet_line");
+    stages.emplace_back(ShaderStage::kFragment, meshes ? "fiblet_line_of_mesh" : "fiblet_line");
     return run_.pipelines.getGraphics(stages, constants, assembly);
 }
 

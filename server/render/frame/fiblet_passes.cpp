@@ -9,6 +9,7 @@
 #include "plan/fiblet_view.h"
 #include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_coverage.h"
+#include "render/frame/light_passes.h"
 
 namespace radiata::render {
 namespace {
@@ -19,6 +20,8 @@ namespace {
 constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
 /// A new pyramid takes about as long as drawing a page for so many pixels.
 constexpr std::uint64_t kPixelsPerPage = 4096;
+/// Segments per pixel of a transparent layer that a moving picture composes.
+constexpr int kMovingPeels = 4;
 /// Workgroups of one dispatch; every device takes 65,535.
 constexpr std::uint32_t kPagesAtOnce = 16'384;
 
@@ -80,11 +83,76 @@ public:
         surface();
     }
 
+    void drawPeels() {
+        const bool fast = run_.list.moving;
+        peels_ = true;
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        own_.preparePeels(run_.device, run_.pixels(), fast);
+        ensureBytes(run_.device, run_.target.peel_surface, run_.pixels() * sizeof(shader::Surface), gpu::Memory::kDevice,
+                    "peel surface");
+        run_.target.approximate = fast;
+        const bool any = scene_.fibletCount() > 0 && run_.list.camera.sees_scene;
+        for (int peel = 0; !fast || peel < kMovingPeels; ++peel) {
+            run_.checkCancelled();
+            peeling_ = peel > 0;
+            counting_ = fast && peel == 0;
+            begin(false);
+            own_.counts() = {};
+            if (any) drawPeel();
+            counting_ = false;
+            toPeelSurface();
+            runPeelLight(run_, "fiblet peel" + suffix_, own_.layerAddress(), peel == 0, fast && peel + 1 == kMovingPeels);
+            submit(0);
+            if (own_.counts().more == 0) break;
+        }
+    }
+
+    void findThrough(std::uint64_t inside, std::uint64_t found) {
+        peels_ = true;
+        prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
+        own_.layer().inside = inside;
+        own_.layer().found = found;
+        own_.counts() = {};
+        finding_ = true;
+        if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) drawPeel();
+        own_.knows_visible = false;
+    }
+
 private:
-    bool atomic() const { return plan_.pipeline == model::FibletPipeline::kAtomic; }
+    /// Transparent layers and outlines are for the atomic pipeline alone.
+    bool atomic() const { return peels_ || plan_.pipeline == model::FibletPipeline::kAtomic; }
     bool meshes() const {
         return plan_.pipeline == model::FibletPipeline::kMesh || plan_.pipeline == model::FibletPipeline::kMeshSerial;
     }
+
+    /// The nearest segments that are not composed yet.
+    void drawPeel() {
+        if (plan_.culling == model::FibletCulling::kNone) {
+            raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
+        } else {
+            cull(0, 0, orderPages());
+            raster(true, 0, own_.counts().listed);
+        }
+        own_.drawn = own_.counts().listed;
+    }
+
+    void toPeelSurface() {
+        const auto resolve = [&] {
+            run_.recorder.dispatch(run_.pipelines.get("fiblet_surface", {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
+                                                                         plan_.selected_only ? 1U : 0U, 0U}),
+                                   "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                                   SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
+            submit(0);
+        };
+        resolve();
+        while (own_.counts().repaired > 0) {
+            const std::uint32_t repaired = own_.counts().repaired;
+            own_.counts().repaired = 0;
+            raster(true, 0, repaired);
+            resolve();
+        }
+    }
+
     bool twoPhases() const { return plan_.culling == model::FibletCulling::kTwoPhase; }
     bool coverage() const { return plan_.culling == model::FibletCulling::kCoverage; }
 
@@ -132,6 +200,7 @@ private:
             cuts.push_back({glm::vec3(normal), static_cast<float>(glm::dot(normal, cut.point_mm - origin))});
         }
         own_.fill(scene_, view, cuts, run_.list.layers[index_].fibres->stateAddress(), static_cast<std::uint32_t>(index_));
+        own_.layer().segments = run_.list.layers[index_].fibres->segmentAddress();
         own_.layer().end_slack = static_cast<float>(end_slack);
         own_.layer().detail_px = plan_.detail_px;
         detail_ = detailSegments(view);
@@ -141,8 +210,8 @@ private:
 
     /// \param first  nothing that was drawn before is looked at
     void begin(bool first) {
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U}), "fiblet begin" + suffix_,
-                               PassRun::groups(run_.pixels()), 1, 1,
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U, counting_ ? 1U : 0U}),
+                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
                                LayerPush{own_.layerAddress(), run_.target.surface.address()});
     }
 
@@ -156,10 +225,11 @@ private:
 
     /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
-                                                 plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U,
-                                                 plan_.selected_only ? 1U : 0U, detail_, coverage() ? 1U : 0U});
+        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
+            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+                              plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
+                              plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
+                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U});
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -172,8 +242,10 @@ private:
     }
 
     void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        // A line of w pixels reaches (w - 1) / 2 beside its middle.
-        const auto margin = std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1));
+        // A line of w pixels reaches (w - 1) / 2 beside its middle; one of w across w / 2 times the root of 2, less half a
+        // pixel.
+        const auto width = static_cast<float>(plan_.line_width_px);
+        const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
         const std::uint32_t tubes = plan_.tubes ? 1 : 0;
         own_.counts().pages = 0;
         run_.recorder.dispatch(run_.pipelines.get("fiblet_cull_pages", {PassRun::kGroup, phase, margin, tubes}),
@@ -181,7 +253,7 @@ private:
                                CullPagesPush{own_.layerAddress(), own_.found_pages.address(), first, end - first});
         submit(0);
         const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, tubes});
+            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, tubes, plan_.segments ? 1U : 0U});
         for (std::uint32_t page = 0, pages = own_.counts().pages; page < pages; page += std::min(pages - page, kPagesAtOnce)) {
             run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, std::min(pages - page, kPagesAtOnce), 1, 1,
                                    CullPush{own_.layerAddress(), own_.found_pages.address() + std::uint64_t{4} * page});
@@ -313,12 +385,22 @@ private:
     const FibletScene& scene_;
     FibletBuffers& own_;
     std::uint32_t detail_ = 0;
-    bool first_;  ///< nothing is in the surface buffer yet
+    bool first_;                               ///< nothing is in the surface buffer yet
+    bool peels_ = false;                       ///< segment by segment, one behind the other
+    bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
+    bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
     FibletLines lines_;
 };
 
 }  // namespace
+
+void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).drawPeels(); }
+
+void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found) {
+    FibletPace pace;
+    FibletRun(run, pass, pace).findThrough(inside, found);
+}
 
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).draw(); }
 

@@ -9,4 +9,13 @@ namespace radiata::render {
 /// All passes of the layer, in bounded submissions.
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 
+/// A transparent layer into the veil: its segments from the front, one per pixel and peel, until less than 1/512 of what lies
+/// behind is seen. Of a moving picture (DrawList::moving) four peels, the last of which stands for all behind it, with the
+/// right transparency.
+void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
+
+/// Sets the bits of fibres that are drawn through pixels, whatever hides them. \param inside  address of one bit per pixel of
+/// the target, 32 to a word \param found  address of one bit per fibre
+void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found);
+
 }  // namespace radiata::render

@@ -95,14 +95,18 @@ bool fibletPipelineWorks(gpu::Device& device, Drawer& drawer, model::FibletPipel
                          const plan::Abilities& abilities) {
     try {
         const model::FrameRequest request = latticeRequest(pipeline);
-        const auto scene = std::make_shared<const FibletScene>(device, std::make_shared<const model::FibletSet>(lattice()));
+        const auto set = std::make_shared<const model::FibletSet>(lattice());
+        const auto scene = std::make_shared<const FibletScene>(device, set);
         DrawList list;
         list.camera = plan::rebaseCamera(request.camera, scene->bounds(), kSize);
         const plan::FramePlan plan = plan::planFrame(request, {plan::LayerFacts{}}, abilities);
         list.plan = &plan;
         DrawnLayer& layer = list.layers.emplace_back();
         layer.tracts = scene;
-        layer.fibres = std::make_shared<const FibreLook>(device, scene->set(), request.scene.layers[0].tracts());
+        const model::TractogramLayer& looks = request.scene.layers[0].tracts();
+        FibreSelector selector(set, {}, {});
+        layer.fibres = FibreLook{std::make_shared<const FibreFilter>(device, scene->set(), looks, selector),
+                                 std::make_shared<const FibreColours>(device, scene->set(), looks.colour, selector)};
         if (model::drawsUncompressed(pipeline)) layer.vertices = std::make_shared<const FibreVertices>(device, scene->set());
         layer.bounds = scene->bounds();
         Target target;

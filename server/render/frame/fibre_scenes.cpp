@@ -15,23 +15,37 @@ std::shared_ptr<const FibletScene> FibreScenes::scene(gpu::Device& device, const
     return scenes_.front();
 }
 
-std::shared_ptr<const FibreLook> FibreScenes::look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene,
-                                                   const model::TractogramLayer& layer) {
-    model::TractogramLayer key;
-    key.shown = layer.shown;
-    key.selected = layer.selected;
-    key.unselected = layer.unselected;
-    key.colour.mode = layer.colour.mode;
-    key.colour.column = layer.colour.column;
+template <typename Part, typename Make>
+std::shared_ptr<const Part> FibreScenes::find(std::list<Kept<Part>>& kept, const FibletScene& scene,
+                                              const model::TractogramLayer& layer, Make&& make) {
     const auto found = std::ranges::find_if(
-        looks_, [&](const KeptLook& each) { return each.scene_serial == scene->serial() && each.layer == key; });
-    if (found != looks_.end()) {
-        looks_.splice(looks_.begin(), looks_, found);
+        kept, [&](const Kept<Part>& each) { return each.scene_serial == scene.serial() && each.layer == layer; });
+    if (found != kept.end()) {
+        kept.splice(kept.begin(), kept, found);
     } else {
-        looks_.push_front({scene->serial(), key, std::make_shared<const FibreLook>(device, scene->set(), layer)});
-        if (looks_.size() > kLooksKept) looks_.pop_back();
+        kept.push_front({scene.serial(), layer, make()});
+        if (kept.size() > kLooksKept) kept.pop_back();
     }
-    return looks_.front().look;
+    return kept.front().part;
+}
+
+FibreLook FibreScenes::look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene,
+                            const model::TractogramLayer& layer, FibreSelector& selector) {
+    model::TractogramLayer filter, colour;
+    filter.shown = layer.shown;
+    filter.selected = layer.selected;
+    filter.unselected = layer.unselected;
+    filter.region_cuts = layer.region_cuts;
+    filter.criteria = layer.criteria;
+    // What a map does with values is decided when they are shown.
+    colour.colour.mode = layer.colour.mode;
+    colour.colour.column = layer.colour.column;
+    colour.colour.component = layer.colour.component;
+    colour.colour.region = layer.colour.region;
+    return {find(filters_, *scene, filter,
+                 [&] { return std::make_shared<const FibreFilter>(device, scene->set(), layer, selector); }),
+            find(colours_, *scene, colour,
+                 [&] { return std::make_shared<const FibreColours>(device, scene->set(), layer.colour, selector); })};
 }
 
 std::shared_ptr<const FibreVertices> FibreScenes::vertices(gpu::Device& device,

@@ -14,21 +14,27 @@ class FibreScenes {
 public:
     /// \throws as FibletScene()
     std::shared_ptr<const FibletScene> scene(gpu::Device& device, const std::shared_ptr<const model::FibletSet>& set);
-    /// \throws as FibreLook()
-    std::shared_ptr<const FibreLook> look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene,
-                                          const model::TractogramLayer& layer);
+    /// \param selector  of the same tractogram. \throws as FibreFilter() and FibreColours()
+    FibreLook look(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene, const model::TractogramLayer& layer,
+                   FibreSelector& selector);
     /// \throws as FibreVertices()
     std::shared_ptr<const FibreVertices> vertices(gpu::Device& device, const std::shared_ptr<const FibletScene>& scene);
 
 private:
     static constexpr std::size_t kScenesKept = 8, kLooksKept = 16;
-    struct KeptLook {
+    template <typename Part>
+    struct Kept {
         std::uint64_t scene_serial;
-        model::TractogramLayer layer;  ///< what of it does not change the look is left at its default
-        std::shared_ptr<const FibreLook> look;
+        model::TractogramLayer layer;  ///< what of it does not change the part is left at its default
+        std::shared_ptr<const Part> part;
     };
+    /// The part that is kept for these settings, or a new one.
+    template <typename Part, typename Make>
+    static std::shared_ptr<const Part> find(std::list<Kept<Part>>& kept, const FibletScene& scene,
+                                            const model::TractogramLayer& layer, Make&& make);
     std::list<std::shared_ptr<const FibletScene>> scenes_;  ///< most recently used first
-    std::list<KeptLook> looks_;
+    std::list<Kept<FibreFilter>> filters_;
+    std::list<Kept<FibreColours>> colours_;
     /// Of one tractogram: they are large.
     std::uint64_t vertices_serial_ = 0;
     std::shared_ptr<const FibreVertices> vertices_;

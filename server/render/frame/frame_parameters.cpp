@@ -20,7 +20,12 @@ void fillFibreLook(ColourTables& colours, const DrawList& list, std::size_t inde
     const plan::FibletPlan& fiblets = *list.plan->fiblets[index];
     look.instances = list.layers[index].tracts->headAddress();
     look.states = list.layers[index].fibres->stateAddress();
-    look.values = list.layers[index].fibres->valueAddress();
+    const FibreColours& values = *list.layers[index].fibres->colours;
+    look.values = values.valueAddress();
+    look.point_ranges = values.rangeAddress();
+    look.grid_origin = glm::vec3(values.grid().origin_mm - list.camera.reference_mm);
+    look.grid_step = static_cast<float>(values.grid().step_mm);
+    look.grid_size = values.grid().size;
     look.colour = static_cast<std::uint32_t>(colour.mode);
     look.uniform_colour = colour.uniform;
     look.tubes = fiblets.selected_only ? 2 : fiblets.tubes ? 1 : 0;
@@ -42,6 +47,11 @@ shader::LayerLook layerLook(ColourTables& colours, const DrawList& list, std::si
     if (const model::IsosurfaceLayer* surface = wanted.ifSurface()) {
         look.colour = shader::COLOUR_UNIFORM;
         look.uniform_colour = surface->colour;
+        if (surface->colour_by) {
+            look.map = colours.address(surface->colour_by->map);
+            look.range_low = surface->colour_by->range->low;
+            look.range_high = surface->colour_by->range->high;
+        }
     }
     if (!list.layers[layer].glyphs) return look;
     GlyphScene& scene = *list.layers[layer].glyphs;

@@ -23,6 +23,23 @@ void gatherLight(PassRun& run, IlluminationLattice& lattice, int layer) {
     lattice.gather(latticeRun(run), pixelsOf(run, layer), run.target.global_light.address(), "global light", run.list.settled);
 }
 
+using Until = std::optional<std::chrono::steady_clock::time_point>;
+
+bool lightNeeded(PassRun& run, IlluminationLattice& lattice, int layer, Until until) {
+    // Other views may have asked for their own texels meanwhile.
+    if (lattice.requestedFor() != run.target.surface_number) {
+        lattice.request(latticeRun(run), pixelsOf(run, layer), run.target.surface_number);
+    }
+    return lattice.refine(latticeRun(run), until);
+}
+
+/// What the picture needs comes first.
+bool lightWhole(PassRun& run, IlluminationLattice& lattice, int layer, Until until) {
+    if (lattice.whole()) return true;
+    if (!lattice.requestedWhole() && !lightNeeded(run, lattice, layer, until)) return false;
+    return lattice.lightAll(latticeRun(run), until);
+}
+
 }  // namespace
 
 LatticeRun latticeRun(const PassRun& run) {
@@ -54,11 +71,9 @@ bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::t
     for (const plan::PassPlan& pass : run.list.plan->passes) {
         if (pass.kind != plan::PassKind::kIllumination) continue;
         IlluminationLattice& lattice = latticeOf(run.list, pass.layer);
-        // Other views may have asked for their own texels meanwhile.
-        if (lattice.requestedFor() != run.target.surface_number) {
-            lattice.request(lattice_run, pixelsOf(run, pass.layer), run.target.surface_number);
-        }
-        done = lattice.refine(lattice_run, until) && done;
+        done = (run.list.plan->resolved.scene.light.illumination->full ? lightWhole(run, lattice, pass.layer, until)
+                                                                       : lightNeeded(run, lattice, pass.layer, until)) &&
+               done;
         gatherLight(run, lattice, pass.layer);
     }
     return done;
@@ -78,6 +93,9 @@ model::IlluminationInfo illuminationInfo(const DrawList& list) {
         sum.samples += one.samples;
         sum.seconds += one.seconds;
         sum.bytes += one.bytes;
+        sum.payload_bytes += one.payload_bytes;
+        sum.texels_read += one.texels_read;
+        if (!one.saved.empty()) sum.saved += (sum.saved.empty() ? "" : "; ") + one.saved;
         sum.mean_error = known + weight > 0 ? (known * sum.mean_error + weight * one.mean_error) / (known + weight) : 0;
         sum.p95_error = std::max(sum.p95_error, one.p95_error);
         sum.projected = sum.projected || one.projected;

@@ -2,10 +2,14 @@
 
 #include "gpu/device.h"
 #include "plan/plan_isosurface.h"
+#include "render/frame/surface_looks.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::render {
 namespace {
+
+/// Of transparent surfaces along one ray.
+constexpr std::uint32_t kCrossingsMax = 16;
 
 struct ClearPush {
     std::uint64_t surface;
@@ -16,20 +20,19 @@ struct TracePush {
     std::uint32_t first_block_row;
 };
 struct VeilPush {
-    std::uint64_t frame, layers, surface, looks, veil;
+    std::uint64_t frame, layers, surface, looks, veil, surface_looks;
     std::uint32_t transparent, first_block_row;
 };
 
-/// Grid coordinates of the frame's reference point, as a whole cell and the rest.
-void place(const store::VolumeDataset& volume, const glm::dvec3& reference_mm, shader::IsosurfaceParams& params) {
+}  // namespace
+
+void placeInGrid(const store::VolumeDataset& volume, const glm::dvec3& reference_mm, glm::ivec3& base, glm::vec3& fraction) {
     const glm::dvec3 grid = volume.worldToGrid(reference_mm);
     // A reference point far off would not fit whole numbers that floats hold exactly; the rest then carries it.
-    const glm::dvec3 whole = glm::clamp(glm::floor(grid), glm::dvec3(0), glm::dvec3(params.volume.size));
-    params.base = glm::ivec3(whole);
-    params.fraction = glm::vec3(grid - whole);
+    const glm::dvec3 whole = glm::clamp(glm::floor(grid), glm::dvec3(0), glm::dvec3(volume.params().size));
+    base = glm::ivec3(whole);
+    fraction = glm::vec3(grid - whole);
 }
-
-}  // namespace
 
 std::uint64_t isosurfaceAddress(const Target::Impl& target, std::size_t layer) {
     return target.isosurfaces.address() + layer * sizeof(shader::IsosurfaceParams);
@@ -49,7 +52,7 @@ void fillIsosurfaceParameters(gpu::Device& device, Target::Impl& target, const D
                     "isosurface parameters");
         shader::IsosurfaceParams params{};
         params.volume = volume->params();
-        place(*volume, list.camera.reference_mm, params);
+        placeInGrid(*volume, list.camera.reference_mm, params.base, params.fraction);
         params.isovalue = *request.scene.layers[i].surface().isovalue;
         params.layer = static_cast<std::uint32_t>(i);
         params.step = request.quality.isosurface.step;
@@ -78,10 +81,14 @@ void runIsosurfaceVeil(PassRun& run, const plan::PassPlan& pass, BandSize& bands
     std::uint32_t transparent = 0;
     const std::vector<model::Layer>& layers = run.list.plan->resolved.scene.layers;
     for (std::size_t i = 0; i < layers.size(); ++i) transparent |= plan::isVeil(layers[i]) ? 1U << i : 0U;
-    run.dispatchBands(run.pipelines.get(pass.shader, isosurfaceConstants(run.list.plan->resolved.quality.isosurface)),
-                      pass.name,
+    std::vector<std::uint32_t> constants = isosurfaceConstants(run.list.plan->resolved.quality.isosurface);
+    constants.resize(10);
+    constants[5] = kCrossingsMax;
+    constants.push_back(run.list.plan->surface_looks);
+    run.dispatchBands(run.pipelines.get(pass.shader, constants), pass.name,
                       VeilPush{run.frameAddress(), run.target.isosurfaces.address(), run.target.surface.address(),
-                               run.frameAddress() + Target::Impl::kLookOffset, run.target.veil.address(), transparent, 0},
+                               run.frameAddress() + Target::Impl::kLookOffset, run.target.veil.address(),
+                               surfaceLooksAddress(run.target, *run.list.plan), transparent, 0},
                       bands);
 }
 

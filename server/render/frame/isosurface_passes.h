@@ -8,6 +8,9 @@ namespace radiata::render {
 /// Fills shader::IsosurfaceParams of the layers that are isosurfaces, and makes room for the veil, if the plan has either.
 void fillIsosurfaceParameters(gpu::Device& device, Target::Impl& target, const DrawList& list);
 
+/// Grid coordinates of the frame's reference point, as a whole cell and the rest.
+void placeInGrid(const store::VolumeDataset& volume, const glm::dvec3& reference_mm, glm::ivec3& base, glm::vec3& fraction);
+
 /// An empty surface buffer.
 void runClear(PassRun& run, const plan::PassPlan& pass);
 

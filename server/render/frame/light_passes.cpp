@@ -1,16 +1,22 @@
 #include "render/frame/light_passes.h"
 
+#include "render/frame/surface_looks.h"
 #include "render/frame/visibility_passes.h"
 
 namespace radiata::render {
 namespace {
 
 struct LightPush {
-    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light;
+    std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light, surface_looks, peel;
 };
 struct ResolvePush {
     std::uint64_t light, picture;
     std::uint32_t pixels, samples;
+};
+
+struct FxaaPush {
+    std::uint64_t source, picture;
+    int width, height;
 };
 
 }  // namespace
@@ -29,22 +35,53 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                          veil ? 1U : 0U,
                                          run.list.plan->fibre_occlusion ? 1U : 0U,
                                          run.list.plan->fibre_halos ? 1U : 0U,
-                                         global ? 1U : 0U};
+                                         global ? 1U : 0U,
+                                         run.list.plan->surface_looks};
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
-    run.recorder.dispatch(run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
-                          LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
-                                    run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
-                                    media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
-                                    global ? target.global_light.address() : 0});
+    run.recorder.dispatch(
+        run.pipelines.get(pass.shader, constants), pass.name, PassRun::groups(run.pixels()), 1, 1,
+        LightPush{run.frameAddress(), target.surface.address(), target.light.address(),
+                  run.frameAddress() + Target::Impl::kLookOffset, shadow_bits, occlusion_bits,
+                  media ? target.uncertainty.media.address() : 0, veil ? target.veil.address() : 0,
+                  global ? target.global_light.address() : 0, surfaceLooksAddress(target, *run.list.plan), 0});
+}
+
+void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail) {
+    const Target::Impl& target = run.target;
+    const plan::FramePlan& plan = *run.list.plan;
+    const std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                               first ? 1U : 0U,
+                                               plan.colour_modes,
+                                               0U,
+                                               1U << shader::LAYER_TRACTS,
+                                               plan.fibre_colours,
+                                               0U,
+                                               plan.fibre_occlusion ? 1U : 0U,
+                                               plan.fibre_halos ? 1U : 0U,
+                                               0U,
+                                               0U,
+                                               1U,
+                                               tail ? 1U : 0U};
+    run.recorder.dispatch(
+        run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
+        LightPush{run.frameAddress(), target.peel_surface.address(), 0, run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0,
+                  target.veil.address(), 0, 0, layer});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {
-    const Target::Impl& target = run.target;
+    Target::Impl& target = run.target;
+    const bool smooth = run.list.plan->resolved.quality.fxaa && target.samples == 1;
+    if (smooth) ensureBytes(run.device, target.fxaa_source, 4 * run.pixels(), gpu::Memory::kDevice, "picture before FXAA");
+    const std::uint64_t resolved = smooth ? target.fxaa_source.address() : target.picture.address();
     run.recorder.dispatch(run.pipelines.get(pass.shader, {PassRun::kGroup}), pass.name, PassRun::groups(run.pixels()), 1, 1,
-                          ResolvePush{target.light.address(), target.picture.address(),
-                                      static_cast<std::uint32_t>(run.pixels()), static_cast<std::uint32_t>(target.samples)});
+                          ResolvePush{target.light.address(), resolved, static_cast<std::uint32_t>(run.pixels()),
+                                      static_cast<std::uint32_t>(target.samples)});
+    if (smooth) {
+        run.recorder.dispatch(run.pipelines.get("fxaa", {PassRun::kGroup}), "fxaa", PassRun::groups(run.pixels()), 1, 1,
+                              FxaaPush{resolved, target.picture.address(), target.width, target.height});
+    }
     run.recorder.submitAndWait();
 }
 

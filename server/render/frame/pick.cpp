@@ -124,7 +124,13 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     pixel.scene.light = {};
     for (model::Layer& layer : pixel.scene.layers) {
         if (layer.ifGlyphs()) layer.glyphs().colour = {};
-        if (layer.ifTracts()) layer.tracts().colour = {};
+        if (layer.ifTracts()) {
+            layer.tracts().colour = {};
+            layer.opacity = 1;  // transparent fibres are picked as others are
+        }
+        if (model::IsosurfaceLayer* surface = std::get_if<model::IsosurfaceLayer>(&layer.content)) {
+            *surface = {.dataset_id = surface->dataset_id, .isovalue = surface->isovalue};
+        }
     }
     // Of a window that small, the frustum leaves out nearly everything.
     pixel.quality.fiblet_culling = model::FibletCulling::kFrustum;

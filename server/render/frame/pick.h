@@ -2,7 +2,9 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
+#include "model/outline.h"
 #include "model/pick.h"
 #include "render/frame/drawer.h"
 
@@ -18,5 +20,10 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
 /// pixel
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
                                        int radius_px);
+
+/// The fibres within the pixels of an outline, for each layer of fibres. \param list  of the whole picture, changed for the
+/// outline's window
+std::vector<model::PickedFibres> pickOutline(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list,
+                                             const model::OutlinePixels& pixels, bool through);
 
 }  // namespace radiata::render

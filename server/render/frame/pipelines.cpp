@@ -17,10 +17,11 @@ const gpu::ComputePipeline& Pipelines::get(const std::string& shader, const std:
 
 const gpu::GraphicsPipeline& Pipelines::getGraphics(const std::string& vertex, const std::string& fragment,
                                                     const std::vector<std::uint32_t>& constants, gpu::Faces faces) {
-    return getGraphics({{gpu::Stage::kVertex, vertex}, {gpu::Stage::kFragment, fragment}}, constants, {.faces = faces});
+    return getGraphics({{gpu::ShaderStage::kVertex, vertex}, {gpu::ShaderStage::kFragment, fragment}}, constants,
+                       {.faces = faces});
 }
 
-const gpu::GraphicsPipeline& Pipelines::getGraphics(const std::vector<std::pair<gpu::Stage, std::string>>& stages,
+const gpu::GraphicsPipeline& Pipelines::getGraphics(const std::vector<std::pair<gpu::ShaderStage, std::string>>& stages,
                                                     const std::vector<std::uint32_t>& constants,
                                                     const gpu::Assembly& assembly) {
     std::string names;

@@ -22,7 +22,7 @@ public:
     const gpu::GraphicsPipeline& getGraphics(const std::string& vertex, const std::string& fragment,
                                              const std::vector<std::uint32_t>& constants, gpu::Faces faces);
     /// \param stages  modules of the stages in their order, the fragment shader last
-    const gpu::GraphicsPipeline& getGraphics(const std::vector<std::pair<gpu::Stage, std::string>>& stages,
+    const gpu::GraphicsPipeline& getGraphics(const std::vector<std::pair<gpu::ShaderStage, std::string>>& stages,
                                              const std::vector<std::uint32_t>& constants, const gpu::Assembly& assembly);
     /// How many have been made so far.
     std::size_t count() const { return made_.size() + made_graphics_.size(); }

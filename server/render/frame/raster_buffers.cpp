@@ -28,7 +28,8 @@ void RasterBuffers::prepare(gpu::Device& device, const Target::Impl& target, con
     const auto width = static_cast<std::uint32_t>(target.width), height = static_cast<std::uint32_t>(target.height);
     const std::uint64_t pixels = std::uint64_t{width} * height;
     const model::Quality& quality = list.plan->resolved.quality;
-    const bool boxes = quality.intersection != model::Intersection::kTessellated;
+    const bool tessellated = quality.intersection == model::Intersection::kTessellated;
+    const bool boxes = !tessellated && quality.traversal == model::Traversal::kRasterBoxes;
     if (!images || images.width() != width || images.height() != height) {
         images = gpu::RasterTarget();
         images = gpu::RasterTarget(device, width, height);
@@ -45,8 +46,9 @@ void RasterBuffers::prepare(gpu::Device& device, const Target::Impl& target, con
         for (gpu::Buffer* buffer : {&directions, &mesh_triangles}) *buffer = gpu::Buffer();
     } else {
         for (gpu::Buffer* buffer : {&nearest, &steps}) *buffer = gpu::Buffer();
-        prepareMesh(device, quality.tessellation);
+        if (tessellated) prepareMesh(device, quality.tessellation);
     }
+    if (!boxes && !tessellated) return;
     layers.resize(list.layers.size());
     for (std::size_t i = 0; i < layers.size(); ++i) {
         if (list.layers[i].glyphs) prepareLayer(device, target, list, i);

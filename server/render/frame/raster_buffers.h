@@ -32,6 +32,7 @@ struct RasterBuffers {
     gpu::Buffer directions, mesh_triangles;
     std::uint32_t vertex_count = 0, index_count = 0;  ///< of the mesh
     std::vector<RasterLayer> layers;
+    gpu::Buffer surface_meshes;  ///< shader::SurfaceMeshParams[layers]; only once an isosurface was drawn as triangles
 
     /// Makes room for the target's size and the plan's method, and finds what the camera sees. For the first sample.
     /// \throws Error(kResourceExhausted) if the device draws no picture as large

@@ -132,13 +132,14 @@ void runGlyphMesh(PassRun& run, const plan::PassPlan& pass, DrawSize& size) {
 
 void runRasterSurface(PassRun& run, const plan::PassPlan& pass) {
     RasterBuffers& raster = *run.target.raster;
-    const bool boxes = static_cast<bool>(raster.steps);
+    // Of boxes the depth says where the ray was; triangles of isosurfaces tell it themselves.
+    const bool boxes = raster.steps && run.list.layers[static_cast<std::size_t>(pass.layer)].glyphs != nullptr;
     run.recorder.copy(raster.images, raster.words, raster.depth);
-    run.recorder.dispatch(
-        run.pipelines.get(pass.shader, {PassRun::kGroup, pass.first ? 1U : 0U, boxes ? 1U : 0U}), pass.name,
-        PassRun::groups(run.pixels()), 1, 1,
-        SurfacePush{run.target.surface.address(), run.counterAddress(), raster.words.address(), raster.depth.address(),
-                    raster.steps.address(), static_cast<std::uint32_t>(run.pixels()), static_cast<std::uint32_t>(pass.layer)});
+    run.recorder.dispatch(run.pipelines.get(pass.shader, {PassRun::kGroup, pass.first ? 1U : 0U, boxes ? 1U : 0U}), pass.name,
+                          PassRun::groups(run.pixels()), 1, 1,
+                          SurfacePush{run.target.surface.address(), run.counterAddress(), raster.words.address(),
+                                      raster.depth.address(), boxes ? raster.steps.address() : 0,
+                                      static_cast<std::uint32_t>(run.pixels()), static_cast<std::uint32_t>(pass.layer)});
 }
 
 }  // namespace radiata::render

@@ -8,6 +8,7 @@
 #include <list>
 
 #include "base/error.h"
+#include "build/fibre_selection.h"
 #include "build/glyph_instances.h"
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
@@ -15,8 +16,10 @@
 #include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
+#include "render/frame/frame_lattices.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
+#include "render/frame/path_passes.h"
 #include "render/frame/pick.h"
 #include "render/frame/self_test.h"
 #include "store/scalar_dataset.h"
@@ -27,7 +30,6 @@ namespace radiata::render {
 namespace {
 
 constexpr std::size_t kScenesKept = 16;
-constexpr std::size_t kLatticesKept = 4;
 /// A picture at rest shows its global light in between, when it works on it for so long.
 constexpr std::chrono::milliseconds kSettleSlice{250};
 /// Points decoded on the device may be that much outside of boxes made on the CPU.
@@ -96,8 +98,10 @@ struct Renderer::Impl {
     plan::Abilities abilities;
     std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
     std::string device_name;
-    std::list<std::unique_ptr<GlyphScene>> scenes;             ///< most recently used first
-    std::list<std::shared_ptr<IlluminationLattice>> lattices;  ///< most recently used first
+    std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
+    FrameLattices lattices;
+    PathLights path_lights;
+    IsosurfaceTriangles triangles;
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -149,7 +153,7 @@ struct Renderer::Impl {
         }
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
-            result.fibres = tracts.look(device, result.tracts, *fibres);
+            result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
             if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
@@ -159,41 +163,13 @@ struct Renderer::Impl {
         if (const model::IsosurfaceLayer* surface = layer.ifSurface()) {
             result.volume = store.volume(surface->dataset_id);
             result.bounds = volumeBounds(*result.volume);
+            if (surface->colour_by) result.colours = store.volume(surface->colour_by->image_id);
+            if (quality.isosurface.method == model::SurfaceMethod::kMarchingCubes && layer.opacity >= 1) {
+                result.triangles = triangles.get(device, store.scalars(surface->dataset_id),
+                                                 surface->isovalue.value_or(result.volume->valueSplit()));
+            }
         }
         return result;
-    }
-
-    std::shared_ptr<IlluminationLattice> lattice(const std::shared_ptr<const store::VolumeDataset>& volume,
-                                                 const model::Illumination& light, bool projected) {
-        for (auto it = lattices.begin(); it != lattices.end(); ++it) {
-            if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
-                !IlluminationLattice::sameTexels((*it)->settings(), light)) {
-                continue;
-            }
-            lattices.splice(lattices.begin(), lattices, it);
-            return lattices.front();
-        }
-        lattices.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
-        if (lattices.size() > kLatticesKept) lattices.pop_back();
-        return lattices.front();
-    }
-
-    /// Global light of a planned frame's layers.
-    void light(DrawList& list, const std::atomic<bool>* cancel) {
-        const PassRun pass_run{device, drawer.recorder(), drawer.pipelines(), *own_target.impl_, list, 0, cancel};
-        for (const plan::PassPlan& pass : list.plan->passes) {
-            if (pass.kind != plan::PassKind::kIllumination) continue;
-            const auto layer = static_cast<std::size_t>(pass.layer);
-            const model::Scene& scene = list.plan->resolved.scene;
-            const model::Illumination& wanted = *scene.light.illumination;
-            const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
-            DrawnLayer& drawn = list.layers[layer];
-            drawn.lattice = lattice(drawn.volume, wanted, false);
-            if (wanted.project) drawn.rest_lattice = lattice(drawn.volume, wanted, true);
-            for (const auto& one : {drawn.lattice, drawn.rest_lattice}) {
-                if (one) one->update(latticeRun(pass_run), wanted, nullptr, surface.colour, *surface.isovalue);
-            }
-        }
     }
 
     /// What the plan has to know about a layer.
@@ -202,8 +178,9 @@ struct Renderer::Impl {
             plan::LayerFacts facts;
             facts.fibres = layer.fibres->shown();
             facts.fiblets = layer.tracts->fibletCount();
-            facts.value_min = static_cast<double>(layer.fibres->valueMin());
-            facts.value_max = static_cast<double>(layer.fibres->valueMax());
+            facts.segments_filtered = layer.fibres->segmentAddress() != 0;
+            facts.value_min = static_cast<double>(layer.fibres->colours->valueMin());
+            facts.value_max = static_cast<double>(layer.fibres->colours->valueMax());
             return facts;
         }
         if (layer.volume) {
@@ -212,6 +189,7 @@ struct Renderer::Impl {
             facts.value_max = layer.volume->valueMax();
             facts.value_split = layer.volume->valueSplit();
             facts.voxel_edge_mm = layer.volume->params().voxel_mm;
+            if (layer.colours) facts.colours = {layer.colours->valueMin(), layer.colours->valueMax()};
             return facts;
         }
         if (!layer.glyphs) return {};
@@ -296,7 +274,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     model::Frame frame;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(request, plan, frame.info);
-    impl_->light(list, cancel);
+    impl_->lattices.prepare(
+        {impl_->device, impl_->drawer.recorder(), impl_->drawer.pipelines(), *impl_->own_target.impl_, list, 0, cancel}, list,
+        impl_->store);
+    preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     buffers.request = request;
     impl_->drawer.takeTimings();
@@ -308,8 +289,12 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
     };
+    list.moving = plan.usesPeels() && first_sample == 0 && count < request.quality.samples;
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
         if (sample > 0 && !settle()) break;
+        list.moving = list.moving && sample == 0;
+        // A picture that rests has its first sample drawn as the others are.
+        if (sample > 0 && buffers.approximate) impl_->drawer.drawSample(buffers, list, 0, cancel);
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
@@ -318,7 +303,10 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
-    if (global) frame.info.illumination = illuminationInfo(list);
+    if (global) impl_->lattices.save(list, impl_->store);
+    if (global) {
+        frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+    }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     noteFiblets(buffers, list, frame.info);
@@ -349,6 +337,17 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
     return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
+}
+
+std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
+                                                      bool through) {
+    model::validate(request, impl_->limits);
+    const model::OutlinePixels pixels = model::pixelsIn(outline, {request.width, request.height});
+    const model::FrameRequest pixel = pickRequest(request, 0, 0, 0, impl_->abilities);
+    model::FrameInfo info;
+    plan::FramePlan plan;
+    DrawList list = impl_->prepare(pixel, plan, info);
+    return pickOutline(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, pixels, through);
 }
 
 double Renderer::measureBoxes(Target& target, const model::FrameRequest& request) {

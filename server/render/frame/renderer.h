@@ -4,6 +4,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -64,6 +65,11 @@ public:
     /// for a pixel outside the picture, Error(kUnsupported) on a device where
     ///         tile lists are the only traversal that works
     std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int radius_px = 0);
+
+    /// The fibres of each layer that are seen in the pixels of an outline, or that are drawn through them, whatever hides them.
+    /// \param outline  as for model::pixelsIn(). \throws as pick() and model::pixelsIn()
+    std::vector<model::PickedFibres> pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
+                                                bool through);
 
     /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
     /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "render/frame/fiblet_buffers.h"
+#include "render/frame/fiblet_lines.h"
 #include "render/frame/raster_buffers.h"
 
 namespace radiata::render {
@@ -27,7 +28,8 @@ void Target::Impl::prepare(gpu::Device& device, int new_width, int new_height, s
     if (new_width == width && new_height == height) return;
     width = height = samples = 0;
     const auto pixels = static_cast<std::uint64_t>(new_width) * static_cast<std::uint64_t>(new_height);
-    for (gpu::Buffer* buffer : {&surface, &light, &picture, &surface_readback, &veil}) *buffer = gpu::Buffer();
+    for (gpu::Buffer* buffer : {&surface, &light, &picture, &surface_readback, &veil, &peel_surface, &fxaa_source})
+        *buffer = gpu::Buffer();
     surface = gpu::Buffer(device, pixels * sizeof(shader::Surface), gpu::Memory::kDevice, "surface buffer");
     light = gpu::Buffer(device, pixels * 12, gpu::Memory::kDevice, "light buffer");
     picture = gpu::Buffer(device, pixels * 4, gpu::Memory::kReadback, "picture");

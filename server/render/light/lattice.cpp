@@ -10,6 +10,7 @@
 #include "base/error.h"
 #include "gpu/device.h"
 #include "math/low_discrepancy.h"
+#include "render/light/transport_params.h"
 
 namespace radiata::render {
 namespace {
@@ -27,8 +28,9 @@ std::uint64_t product(const glm::ivec3& v) {
                            static_cast<std::uint64_t>(v.z), "lattice");
 }
 
-std::uint64_t payloadBytes(const model::Illumination& light) {
+std::uint64_t texelBytes(const model::Illumination& light) {
     const auto count = static_cast<std::uint64_t>(light.payloadCount());
+    if (light.storage == model::TexelStorage::kRgb8) return 4;
     return light.storage == model::TexelStorage::kFloat32 ? 4 * count : 4 * ((count + 1) / 2);
 }
 
@@ -46,7 +48,8 @@ void LatticeRun::checkCancelled() const {
 
 bool IlluminationLattice::sameTexels(const model::Illumination& a, const model::Illumination& b) {
     return a.payload == b.payload && a.storage == b.storage && a.resolution == b.resolution && a.bounces == b.bounces &&
-           a.budget_mib == b.budget_mib && (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
+           a.sampling == b.sampling && a.budget_mib == b.budget_mib &&
+           (a.payload == model::TexelPayload::kIrradiance || a.orders == b.orders);
 }
 
 IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<const store::VolumeDataset> volume,
@@ -57,7 +60,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       projected_(projected),
       size_(latticeSize(volume_->params().size, light.resolution)),
       bricks_((size_ + 7) / 8),
-      pool_(device, product(bricks_), payloadBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
+      pool_(device, product(bricks_), texelBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
     lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
     if (product(size_) >> 32 != 0) {
@@ -65,29 +68,20 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
                                             " texels; 2^32 is the limit: choose a lower resolution");
     }
     shader::LatticeParams& lattice = shared();
-    lattice = {};
-    const shader::VolumeParams& grid = volume_->params();
-    lattice.volume = grid;
-    const glm::dmat3 to_grid(glm::dvec3(grid.grid_x), glm::dvec3(grid.grid_y), glm::dvec3(grid.grid_z));
-    const glm::dmat3 to_mm = glm::inverse(to_grid);
-    lattice.mm_x = glm::vec3(to_mm[0]);
-    lattice.mm_y = glm::vec3(to_mm[1]);
-    lattice.mm_z = glm::vec3(to_mm[2]);
-    lattice.value_step = 1e-5F * (volume_->valueMax() - volume_->valueMin());
+    lattice = transportParams(*volume_, light);
     lattice.size = size_;
     lattice.brick_size = bricks_;
     lattice.voxels_per_texel = static_cast<float>(voxelsPerTexel(light.resolution));
-    lattice.bounces = static_cast<std::uint32_t>(light.bounces);
     lattice.stride = static_cast<std::uint32_t>(light.payloadCount());
     for (std::size_t k = 0; k < light.orders.size(); ++k)
         lattice.orders |= static_cast<std::uint32_t>(light.orders[k]) << (4 * k);
     lattice.projected = projected ? 1 : 0;
+    lattice.random_paths = light.sampling == model::TexelSampling::kRandom ? 1 : 0;
     refreshAddresses();
 }
 
 std::vector<std::uint32_t> IlluminationLattice::constants() const {
-    return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U,
-            light_.storage == model::TexelStorage::kFloat16 ? 1U : 0U};
+    return {64U, light_.payload == model::TexelPayload::kTransfer ? 1U : 0U, static_cast<std::uint32_t>(light_.storage)};
 }
 
 void IlluminationLattice::refreshAddresses() {
@@ -101,13 +95,15 @@ void IlluminationLattice::refreshAddresses() {
     lattice.shown = address(pool_.shown());
 }
 
-void IlluminationLattice::update(const LatticeRun& run, const model::Illumination& light,
+bool IlluminationLattice::update(const LatticeRun& run, const model::Illumination& light,
                                  const std::shared_ptr<const model::EnvironmentMap>& map, const glm::vec3& albedo,
                                  float isovalue) {
     const bool new_light = !lit_ || !sameLight(light, light_) || map != map_;
     const bool new_albedo = !lit_ || albedo != albedo_;
     const bool irradiance = light.payload == model::TexelPayload::kIrradiance;
-    const bool drop = lit_ && ((new_light && irradiance) || (projected_ && isovalue != isovalue_));
+    const bool one_colour = light.storage == model::TexelStorage::kRgb8;
+    const bool drop =
+        lit_ && ((new_light && irradiance) || (new_albedo && one_colour) || (projected_ && isovalue != isovalue_));
     const bool harder = light.relative_error < light_.relative_error || light.samples_max > light_.samples_max;
     light_ = light;
     map_ = map;
@@ -117,23 +113,41 @@ void IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     lattice.albedo = albedo;
     lattice.isovalue = isovalue;
     if (new_light) {
-        light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_);
+        light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_, light_buffers_.get());
         lattice.light = light_buffers_->params();
+        lattice.rgb8_scale = std::max(light_buffers_->radianceMax(), 1e-20F);
         lattice.irradiance_floor = std::max(0.01F * light_buffers_->openIrradiance(), 1e-20F);
     }
     if (drop || harder) {
         requested_.clear();
         active_.clear();
         requested_for_ = 0;
+        whole_ = {};
     }
+    const bool empty = !lit_ || drop;
     if (drop) {
-        pool_.clear();
-        refreshAddresses();
+        dropTexels();
     } else if (lit_ && (new_light || new_albedo)) {
         relight(run);
     }
     lit_ = true;
+    return empty;
 }
+
+void IlluminationLattice::dropTexels() {
+    pool_.clear();
+    refreshAddresses();
+    requested_.clear();
+    active_.clear();
+    requested_for_ = 0;
+    whole_ = {};
+    texels_read_ = 0;
+    saved_.clear();
+}
+
+std::uint64_t IlluminationLattice::brickCount() const { return product(bricks_); }
+
+std::uint64_t IlluminationLattice::payloadBytes() const { return texelBytes(light_); }
 
 void IlluminationLattice::relight(const LatticeRun& run) {
     struct Push {
@@ -170,22 +184,6 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 0);
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,
                           1, 1, push);
-    list(run);
-}
-
-void IlluminationLattice::requestAll(const LatticeRun& run) {
-    shared().request = pool_.beginRequest();
-    run.recorder.submitAndWait();
-    pool_.wantAll();
-    left_out_ = pool_.admit(run.recorder);
-    refreshAddresses();
-    if (left_out_ > 0) {
-        throw Error(Code::kResourceExhausted, "the whole illumination lattice needs " +
-                                                  std::to_string(product(bricks_) * pool_.brickBytes() / 1048576 + 1) +
-                                                  " MiB, the budget is " +
-                                                  std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
-    }
-    run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 1);
     list(run);
 }
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -54,8 +55,8 @@ public:
 
     /// Takes over what may change from frame to frame. Texels with transfer are lit anew, those with irradiance dropped if the
     /// light changed; a projected lattice drops its texels if the isovalue did.
-    /// \param map  of the environment, or null
-    void update(const LatticeRun& run, const model::Illumination& light,
+    /// \param map  of the environment, or null \return whether no texel has light: saved ones may take their place
+    bool update(const LatticeRun& run, const model::Illumination& light,
                 const std::shared_ptr<const model::EnvironmentMap>& map, const glm::vec3& albedo, float isovalue);
 
     /// Finds out what the pixels interpolate, and lists it by coverage. \throws Error(kCancelled, kResourceExhausted)
@@ -64,6 +65,26 @@ public:
     std::uint64_t requestedFor() const { return requested_for_; }
     /// All texels, in place of those that pixels need. \throws Error(kResourceExhausted) if the budget is too small for them
     void requestAll(const LatticeRun& run);
+
+    /// Goes on with all texels of the lattice, part by part, until they are done or the time is up. \return whether all are
+    /// done \throws Error(kResourceExhausted) if the budget is too small for them
+    bool lightAll(const LatticeRun& run, std::optional<std::chrono::steady_clock::time_point> until);
+    /// Whether the latest request was one of lightAll().
+    bool requestedWhole() const { return (requested_for_ & kWholeMark) != 0; }
+    bool whole() const { return whole_.next_brick == brickCount(); }
+
+    /// What a saved lattice must agree in, in words: volume, settings and, of irradiance, the light.
+    std::string key() const;
+    /// \throws Error(kInternal) unless it is whole, Error(kUnavailable) naming the reason, such as a full disk
+    void save(const std::filesystem::path& file) const;
+    /// Takes over all texels of a saved lattice with this one's key, in place of what there is.
+    /// \throws Error of io::LatticeReader, Error(kResourceExhausted) if the budget is too small, Error(kInvalidArgument) for
+    /// another
+    ///         lattice; then there are no texels
+    void restore(const LatticeRun& run, const std::filesystem::path& file);
+    /// What became of saving it, for info().
+    void noteSaved(const std::string& sentence) { saved_ = sentence; }
+    const std::string& saved() const { return saved_; }
 
     /// Lights the first stage of every requested texel that has none.
     void lightFirst(const LatticeRun& run);
@@ -99,6 +120,13 @@ private:
     bool isDone(std::uint32_t state) const;
     std::optional<std::uint64_t> placeOf(const glm::ivec3& texel) const;
     void lightBatch(const LatticeRun& run, std::size_t begin, std::size_t end);
+    void requestBricks(const LatticeRun& run, std::uint64_t begin, std::uint64_t end, std::uint64_t mark);
+    std::uint64_t brickCount() const;
+    std::uint64_t payloadBytes() const;
+    void dropTexels();
+    void noteWhole(std::uint32_t state);
+    model::IlluminationInfo wholeInfo(model::IlluminationInfo info) const;
+    std::string lightKey() const;
 
     gpu::Device& device_;
     std::shared_ptr<const store::VolumeDataset> volume_;
@@ -128,6 +156,18 @@ private:
     std::uint64_t requested_for_ = 0;
     double seconds_ = 0;
     std::uint64_t samples_ = 0;
+
+    /// Marks requests of lightAll(), beside the number of their first brick.
+    static constexpr std::uint64_t kWholeMark = 1ULL << 63;
+    /// How far lightAll() is: what is known of the texels of all bricks before next_brick.
+    struct Whole {
+        std::uint64_t next_brick = 0, done = 0, samples = 0;
+        double seconds = 0;
+        std::vector<std::uint64_t> errors;  ///< texels by the bits of their relative standard errors
+    };
+    Whole whole_;
+    std::uint64_t texels_read_ = 0;
+    std::string saved_;
 };
 
 }  // namespace radiata::render

@@ -86,6 +86,7 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
             slot = reused[next_reused++];
             slot_of_brick_[slots_[slot].brick] = 0;
             recorder.fill(state_, slot * kTexels * 4, kTexels * 4, 0);
+            recorder.fill(shown_, slot * kTexels * 8, kTexels * 8, 0);
         } else {
             break;
         }
@@ -99,7 +100,9 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
     return missing.size() - given;
 }
 
-void LatticePool::wantAll() { std::ranges::fill(wanted_.as<std::uint32_t>(), request_); }
+void LatticePool::want(std::uint64_t begin, std::uint64_t end) {
+    std::ranges::fill(wanted_.as<std::uint32_t>().subspan(begin, end - begin), request_);
+}
 
 void LatticePool::clear() {
     slots_.clear();

@@ -25,8 +25,10 @@ public:
     /// After the device marked what the request wants: gives each such brick a slot. New texels are empty.
     /// \return bricks for which the budget had no room  \throws Error(kResourceExhausted) if the device has none
     std::uint64_t admit(gpu::CommandRecorder& recorder);
-    /// Marks every brick as wanted by this request, in place of the device.
-    void wantAll();
+    /// Marks bricks [begin, end) as wanted by this request, in place of the device.
+    void want(std::uint64_t begin, std::uint64_t end);
+    /// Whether the budget has room for that many bricks.
+    bool fits(std::uint64_t bricks) const { return bricks <= slots_max_; }
     /// Of a brick, plus one; 0: it has none.
     std::uint32_t slotOf(std::uint32_t brick) const { return slot_of_brick_[brick]; }
     /// Forgets all texels.
@@ -42,6 +44,7 @@ public:
     const gpu::Buffer& slotBricks() const { return slot_bricks_; }
     std::uint32_t slotsUsed() const { return static_cast<std::uint32_t>(slots_.size()); }
     std::uint64_t bytes() const;
+    std::uint64_t payloadBytes() const { return payload_ ? payload_.sizeBytes() : 0; }
     /// Of one brick with everything that belongs to it.
     std::uint64_t brickBytes() const;
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cstring>
 #include <limits>
+#include <numbers>
 #include <span>
 
 #include <glm/gtc/packing.hpp>
@@ -133,7 +134,11 @@ model::IlluminationInfo IlluminationLattice::info() const {
     info.seconds = seconds_;
     info.samples = samples_;
     info.bytes = pool_.bytes();
+    info.payload_bytes = pool_.payloadBytes();
     info.projected = projected_;
+    info.texels_read = texels_read_;
+    info.saved = saved_;
+    if (light_.full) return wholeInfo(info);
     std::vector<float> errors;
     for (const Texel& texel : requested_) {
         info.texels_done += isDone(texel.item.state);
@@ -156,10 +161,10 @@ void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pix
     };
     lacking_.as<std::uint32_t>()[0] = 0;
     run.recorder.dispatch(
-        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation)}), pass,
-        (pixels.pixels + 63) / 64, 1, 1,
+        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation), settled ? 1U : 0U}),
+        pass, (pixels.pixels + 63) / 64, 1, 1,
         Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address(),
-             settled ? light_.relative_error : -1, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
+             light_.relative_error, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
 }
 
 std::optional<std::uint64_t> IlluminationLattice::placeOf(const glm::ivec3& texel) const {
@@ -185,6 +190,13 @@ std::vector<float> IlluminationLattice::payload(gpu::Device& device, const glm::
     std::uint32_t state = 0;
     gpu::download(device, pool_.state(), place * 4, std::as_writable_bytes(std::span(&state, 1)));
     if (texelSamples(state) == 0) return {};
+    if (light_.storage == model::TexelStorage::kRgb8) {
+        glm::u8vec4 bytes;
+        gpu::download(device, pool_.payload(), place * 4, std::as_writable_bytes(std::span(&bytes, 1)));
+        const glm::vec3 root = glm::vec3(bytes) / 255.0F,
+                        irradiance = root * root * (std::numbers::pi_v<float> * shared().rgb8_scale);
+        return {irradiance.x, irradiance.y, irradiance.z};
+    }
     std::vector<float> values(count);
     if (light_.storage == model::TexelStorage::kFloat32) {
         gpu::download(device, pool_.payload(), place * count * 4, std::as_writable_bytes(std::span(values)));

@@ -11,10 +11,10 @@
 namespace radiata::lab {
 
 /// In the order of tables; `points` and `lines`, which know no fiblets, last.
-constexpr std::array kFibrePipelines{model::FibletPipeline::kAtomic,   model::FibletPipeline::kPull,
-                                     model::FibletPipeline::kMesh,     model::FibletPipeline::kMeshSerial,
-                                     model::FibletPipeline::kGeometry, model::FibletPipeline::kTessellation,
-                                     model::FibletPipeline::kLines,    model::FibletPipeline::kPoints};
+inline constexpr std::array kFibrePipelines{model::FibletPipeline::kAtomic,   model::FibletPipeline::kPull,
+                                            model::FibletPipeline::kMesh,     model::FibletPipeline::kMeshSerial,
+                                            model::FibletPipeline::kGeometry, model::FibletPipeline::kTessellation,
+                                            model::FibletPipeline::kLines,    model::FibletPipeline::kPoints};
 
 inline std::string nameOf(model::FibletPipeline pipeline) { return std::string(model::pipelineName(pipeline)); }
 

@@ -5,7 +5,7 @@
 
 #include "build/folded_ball.h"
 #include "build/marching_cubes.h"
-#include "reference/volume_function.h"
+#include "reference/scalar_field.h"
 #include "store/store.h"
 #include "tools/lab/chords.h"
 #include "tools/lab/experiments.h"
@@ -91,7 +91,7 @@ void addTriangles(Report& report) {
                 {}};
     for (const int size : {96, 256}) {
         const model::ScalarImage image = foldedBall(size);
-        const reference::VolumeFunction volume(image);
+        const reference::ScalarField volume(image);
         Series seconds;
         SurfaceMesh mesh;
         for (int i = 0; i < 3; ++i) {

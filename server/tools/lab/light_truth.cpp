@@ -61,7 +61,7 @@ LightTruth lightTruth(render::Renderer& renderer, const model::ScalarImage& imag
     for (std::size_t i = step / 2; i < shown.size(); i += step) truth.pixels.push_back(shown[i]);
     truth.radiance.resize(truth.pixels.size());
     truth.standard_error.resize(truth.pixels.size());
-    const reference::ScalarField field(image.size, std::vector<double>(image.values.begin(), image.values.end()));
+    const reference::ScalarField field(image);
     const glm::dmat4 to_grid = glm::inverse(image.voxel_to_world);
     const model::Illumination& light = *request.scene.light.illumination;
     const LabSky sky = light.suns.empty()                      ? LabSky::kEven

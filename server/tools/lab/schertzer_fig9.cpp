@@ -4,6 +4,7 @@
 // was not drawn.
 #include <set>
 
+#include "render/frame/renderer.h"
 #include "store/store.h"
 #include "tools/lab/experiments.h"
 #include "tools/lab/statistics.h"

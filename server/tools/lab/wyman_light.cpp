@@ -2,55 +2,26 @@
 // point), wyman-fig7 (convergence by payload), wyman-fig12 (resolution), illumination-pareto (time against error). Source:
 // Wyman et al. 2006.
 #include "build/folded_ball.h"
-#include "store/store.h"
 #include "tools/lab/experiments.h"
-#include "tools/lab/light_truth.h"
+#include "tools/lab/light_bench.h"
 
 namespace radiata::lab {
 namespace {
 
-constexpr float kIsovalue = 30;
-constexpr int kPixels = 300;
-
-/// A volume, a view of it and the truth about it.
-class Bench {
-public:
-    Bench(gpu::Device& device, const Options& options, const char* name, int volume = 64)
-        : store_(device, {}), renderer_(device, store_), image_(foldedBall(volume)) {
-        store_.add("ball", image_);
-        height_ = options.size > 0 ? options.size : 192;
-        report.experiment = name;
-        report.repeats = 1;
-        report.device = renderer_.deviceName();
-        report.scene = "folded ball of " + std::to_string(volume) + "^3 voxels, albedo 0.7, three bounces";
-        report.view = std::to_string(height_) + "x" + std::to_string(height_) + ", one sample per pixel";
-        report.notes.push_back("errors are root mean squares over " + std::to_string(kPixels) +
-                               " pixels against path tracing in double, relative to the mean, without the truth's own error");
+/// The folded ball, with what is said of errors.
+struct BallBench : LightBench {
+    BallBench(gpu::Device& device, const Options& options, const char* name)
+        : LightBench(device, options, name, foldedBall(64), 30, "folded ball of 64^3 voxels") {
+        noteErrors();
     }
-    model::FrameRequest request(LabSky sky) const { return litRequest(image_, "ball", kIsovalue, sky, height_); }
-    LightTruth truth(LabSky sky, int paths) { return lightTruth(renderer_, image_, request(sky), kPixels, paths); }
-    model::Frame draw(const model::FrameRequest& request) { return renderer_.renderAll(request); }
-    static model::Illumination& lightOf(model::FrameRequest& request) { return *request.scene.light.illumination; }
-
-    Report report;
-
-private:
-    store::Store store_;
-    render::Renderer renderer_;
-    model::ScalarImage image_;
-    int height_ = 0;
 };
-
-int pathsFor(LabSky sky) { return sky == LabSky::kEven ? 600 : sky == LabSky::kWideSun ? 1200 : 6000; }
-
-std::string percent(double value) { return shortNumber(100 * value) + " %"; }
 
 }  // namespace
 
 Report wymanFig6(gpu::Device& device, const Options& options) {
-    Bench bench(device, options, "wyman-fig6");
+    BallBench bench(device, options, "wyman-fig6");
     Table table{"error by texels that light a point", {"texels", "on their own level sets", "on the shown surface"}, {}};
-    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    const LightTruth truth = bench.truth(LabSky::kWideSun);
     double trilinear = 0, tricubic = 0;
     for (const auto& [name, way] : {std::pair{"own isovalue", model::TexelInterpolation::kOwnIsovalue},
                                     std::pair{"nearest", model::TexelInterpolation::kNearest},
@@ -59,8 +30,8 @@ Report wymanFig6(gpu::Device& device, const Options& options) {
         std::vector<std::string> row{name};
         for (const bool project : {false, true}) {
             model::FrameRequest request = bench.request(LabSky::kWideSun);
-            Bench::lightOf(request).interpolation = way;
-            Bench::lightOf(request).project = project;
+            LightBench::lightOf(request).interpolation = way;
+            LightBench::lightOf(request).project = project;
             const double error = lightError(bench.draw(request), truth);
             row.push_back(percent(error));
             if (!project && way == model::TexelInterpolation::kTrilinear) trilinear = error;
@@ -75,9 +46,9 @@ Report wymanFig6(gpu::Device& device, const Options& options) {
 }
 
 Report wymanFig7(gpu::Device& device, const Options& options) {
-    Bench bench(device, options, "wyman-fig7");
+    BallBench bench(device, options, "wyman-fig7");
     Table table{"error by samples per texel", {"samples", "irradiance", "transfer (5, 3, 2, 2)"}, {}};
-    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    const LightTruth truth = bench.truth(LabSky::kWideSun);
     Plot plot{"samples against error",
               "samples per texel",
               "relative error",
@@ -89,7 +60,7 @@ Report wymanFig7(gpu::Device& device, const Options& options) {
         std::vector<std::string> row{std::to_string(samples)};
         for (const bool transfer : {false, true}) {
             model::FrameRequest request = bench.request(LabSky::kWideSun);
-            model::Illumination& light = Bench::lightOf(request);
+            model::Illumination& light = LightBench::lightOf(request);
             light.payload = transfer ? model::TexelPayload::kTransfer : model::TexelPayload::kIrradiance;
             light.relative_error = 0.001F;
             light.samples_max = samples;
@@ -107,20 +78,20 @@ Report wymanFig7(gpu::Device& device, const Options& options) {
 }
 
 Report wymanFig12(gpu::Device& device, const Options& options) {
-    Bench bench(device, options, "wyman-fig12");
+    BallBench bench(device, options, "wyman-fig12");
     Table table{"error by resolution of the lattice",
                 {"sky", "texels per voxel", "own level sets", "texels", "shown surface", "ratio"},
                 {}};
     for (const LabSky sky : {LabSky::kEven, LabSky::kWideSun, LabSky::kSun}) {
-        const LightTruth truth = bench.truth(sky, pathsFor(sky));
+        const LightTruth truth = bench.truth(sky);
         for (const auto& [name, resolution] :
              {std::pair{"1/8", model::LatticeResolution::kEighth}, std::pair{"1", model::LatticeResolution::kOne},
               std::pair{"8", model::LatticeResolution::kEight}}) {
             model::FrameRequest request = bench.request(sky);
-            Bench::lightOf(request).resolution = resolution;
-            Bench::lightOf(request).relative_error = 0.01F;
+            LightBench::lightOf(request).resolution = resolution;
+            LightBench::lightOf(request).relative_error = 0.01F;
             const double rest = lightError(bench.draw(request), truth);
-            Bench::lightOf(request).project = false;
+            LightBench::lightOf(request).project = false;
             const model::Frame own_frame = bench.draw(request);
             const double own = lightError(own_frame, truth);
             table.rows.push_back({lab::name(sky), name, percent(own),
@@ -136,11 +107,13 @@ Report wymanFig12(gpu::Device& device, const Options& options) {
 }
 
 Report illuminationPareto(gpu::Device& device, const Options& options) {
-    Bench bench(device, options, "illumination-pareto");
+    LabVolume volume = headOrBall(64);
+    LightBench bench(device, options, "illumination-pareto", std::move(volume.image), volume.isovalue, volume.name);
+    bench.noteErrors();
     Table table{
         "time against error", {"texels", "wanted error", "seconds", "error", "standard error", "texels of lattice"}, {}};
     Plot plot{"time against error", "seconds for texels", "relative error", true, true, true, {}};
-    const LightTruth truth = bench.truth(LabSky::kWideSun, pathsFor(LabSky::kWideSun));
+    const LightTruth truth = bench.truth(LabSky::kWideSun);
     for (const auto& [name, payload, project] :
          {std::tuple{"irradiance, own level sets", model::TexelPayload::kIrradiance, false},
           std::tuple{"irradiance, shown surface", model::TexelPayload::kIrradiance, true},
@@ -148,7 +121,7 @@ Report illuminationPareto(gpu::Device& device, const Options& options) {
         Curve curve{name, {}, true};
         for (const float wanted : {0.3F, 0.1F, 0.05F, 0.02F}) {
             model::FrameRequest request = bench.request(LabSky::kWideSun);
-            model::Illumination& light = Bench::lightOf(request);
+            model::Illumination& light = LightBench::lightOf(request);
             light.payload = payload;
             light.project = project;
             light.relative_error = wanted;

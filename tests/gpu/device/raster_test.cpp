@@ -31,8 +31,8 @@ protected:
         const shaders::Module& vertex = shaders::module("test_rectangles_vert");
         const shaders::Module& fragment = shaders::module("test_rectangles_frag");
         const std::uint32_t constant = 77;
-        const std::array stages{StageShader{Stage::kVertex, {vertex.name, vertex.spirv}},
-                                StageShader{Stage::kFragment, {fragment.name, fragment.spirv}}};
+        const std::array stages{StageShader{ShaderStage::kVertex, {vertex.name, vertex.spirv}},
+                                StageShader{ShaderStage::kFragment, {fragment.name, fragment.spirv}}};
         return {device, stages, std::span(&constant, 1), {.faces = faces}};
     }
     template <typename T>

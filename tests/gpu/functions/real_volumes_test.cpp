@@ -10,7 +10,7 @@
 #include "gpu/functions/function_runner.h"
 #include "gpu/functions/volume_on_device.h"
 #include "io/scalar_image.h"
-#include "reference/volume_function.h"
+#include "reference/scalar_field.h"
 #include "shaders/test/isosurface_io.glsl"
 #include "support/npz.h"
 
@@ -47,7 +47,7 @@ TEST_F(RealVolumes, HaveTheSamplesGradientsAndHitsOfAnotherProgram) {
                    gradients = file.array("sample_grad");
         const auto origins = file.array("ray_o"), directions = file.array("ray_d"), enters = file.array("ray_tnear"),
                    times = file.array("ray_t");
-        const reference::VolumeFunction volume(image);
+        const reference::ScalarField volume(image);
         const test::VolumeOnDevice device(this->device(), image);
         std::vector<shader::GradientInput> points;
         double largest = 1;

@@ -5,6 +5,7 @@
 
 #include "gpu/functions/function_runner.h"
 #include "reference/illuminated_line.h"
+#include "reference/phong.h"
 #include "shaders/test/shading_io.glsl"
 
 namespace radiata {
@@ -70,6 +71,28 @@ TEST_F(ShadingFunctions, IlluminatedLinesAgreeWithTheirTwin) {
         for (int c = 0; c < 3; ++c) worst = std::max(worst, difference[c] / (0.01 + expected[c]));
     }
     EXPECT_LT(worst, 2e-3);
+}
+
+/// 1e-4 of the value and a hundredth: angles in double against products of cosines in float, to the 30th power.
+TEST_F(ShadingFunctions, LambertAndPhongAgreeWithTheirTwins) {
+    const std::vector<ShadingInput> inputs = randomInputs(20000);
+    const auto outputs = runFunction<ShadingOutput>("test_shading", {}, inputs);
+    double worst = 0;
+    int highlights = 0;
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+        const ShadingInput& x = inputs[i];
+        if (std::abs(glm::dot(x.normal, x.light)) < 1e-5F) continue;
+        const glm::dvec3 phong = reference::phongReflection(x.base, x.normal, x.viewer, x.light);
+        const glm::dvec3 lambert = reference::lambertReflection(x.base, x.normal, x.light);
+        highlights += phong.x > lambert.x + 0.01;
+        for (int c = 0; c < 3; ++c) {
+            worst = std::max(worst, std::abs(static_cast<double>(outputs[i].phong[c]) - phong[c]) / (0.01 + phong[c]));
+            worst = std::max(worst, std::abs(static_cast<double>(outputs[i].lambert[c]) - lambert[c]) / (0.01 + lambert[c]));
+        }
+        EXPECT_NEAR(outputs[i].ambient, reference::varyingAmbient(x.normal, x.light), 1e-6);
+    }
+    EXPECT_LT(worst, 1e-4);
+    EXPECT_GT(highlights, 200);
 }
 
 TEST_F(ShadingFunctions, TransferCurvesAgreeWithTheirTwins) {

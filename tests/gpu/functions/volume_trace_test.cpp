@@ -15,13 +15,13 @@
 #include "build/folded_ball.h"
 #include "gpu/functions/function_runner.h"
 #include "gpu/functions/volume_on_device.h"
-#include "reference/volume_function.h"
+#include "reference/scalar_field.h"
 #include "shaders/test/isosurface_io.glsl"
 
 namespace radiata {
 namespace {
 
-using reference::VolumeFunction;
+using reference::ScalarField;
 using shader::VolumeRay;
 using shader::VolumeRayHit;
 
@@ -60,7 +60,7 @@ struct Comparison {
 };
 
 /// Against the reference. A ray that only touches the surface may see it or not.
-Comparison compare(const VolumeFunction& volume, const std::vector<VolumeRay>& rays, const std::vector<VolumeRayHit>& hits,
+Comparison compare(const ScalarField& volume, const std::vector<VolumeRay>& rays, const std::vector<VolumeRayHit>& hits,
                    double graze) {
     Comparison result;
     for (std::size_t i = 0; i < rays.size(); ++i) {
@@ -90,7 +90,7 @@ TEST_F(VolumeFunctions, HitsOfAFoldedBallAreThoseOfTheReference) {
     for (const float isovalue : {30.0F, 60.0F}) {
         const std::vector<VolumeRay> rays = raysFromOutside(device.params, isovalue, 4000);
         const std::vector<VolumeRayHit> hits = trace(rays), plain = trace(rays, false);
-        const Comparison found = compare(VolumeFunction(image), rays, hits, 1e-3);
+        const Comparison found = compare(ScalarField(image), rays, hits, 1e-3);
         std::printf("isovalue %g: %d hits, %d misses, worst %.2g voxels\n", isovalue, found.hits, found.misses, found.worst);
         EXPECT_GT(found.hits, 800);
         EXPECT_EQ(found.lost, 0);
@@ -105,7 +105,7 @@ TEST_F(VolumeFunctions, HitsOfAFoldedBallAreThoseOfTheReference) {
             if (!(hits[i].t < kMiss)) continue;
             EXPECT_NEAR(hits[i].t, plain[i].t, 1e-4);
             const glm::dvec3 p = glm::dvec3(hits[i].cell) + glm::dvec3(hits[i].at);
-            EXPECT_NEAR(VolumeFunction(image).value(p), isovalue, 2e-5 * 100);
+            EXPECT_NEAR(ScalarField(image).value(p), isovalue, 2e-5 * 100);
             EXPECT_LT(glm::length(p - glm::dvec3(rays[i].origin) - double(hits[i].t) * glm::dvec3(rays[i].direction)), 1e-4);
             EXPECT_EQ(hits[i].inside, 0U);
         }
@@ -214,7 +214,7 @@ TEST_F(VolumeFunctions, SamplesBehindTheFirstFourGibibytesAreReached) {
 
 TEST_F(VolumeFunctions, GradientsAgreeWithTheReference) {
     const model::ScalarImage image = foldedBall(24);
-    const VolumeFunction function(image);
+    const ScalarField function(image);
     const test::VolumeOnDevice device(this->device(), image);
     std::mt19937 random(31);
     std::uniform_real_distribution<float> unit(0, 1);

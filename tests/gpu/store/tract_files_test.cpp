@@ -4,7 +4,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
+#include <csignal>
 #include <fstream>
 
 #include "base/error.h"
@@ -99,6 +101,28 @@ TEST(TractFiles, TakeTheColumnsThatLieBesideThemAndSayWhichDoNotFit) {
     EXPECT_EQ(set.point_columns[0].name, "fa");
     EXPECT_THAT(said, testing::HasSubstr("a_other.txt: holds values of 3 fibres"));
     EXPECT_THAT(said, testing::HasSubstr("the column is left out"));
+}
+
+/// A disk that takes no more than a kilobyte: the fibres are served, nothing half is left, and somebody is told.
+TEST(TractFiles, AreServedFromMemoryWhenTheDiskIsFull) {
+    const test::TempFolder folder;
+    const fs::path file = folder.path() / "a.trx", cache = folder.path() / "cache";
+    io::writeTractogram(*model::sourceOf(tracts()), file);
+    rlimit before{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
+    rlimit little = before;
+    little.rlim_cur = 1024;
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
+    std::string said;
+    const model::FibletSet set = loadTracts(file, cache, [&](const std::string& sentence) { said += sentence + "\n"; });
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, handler);
+    EXPECT_EQ(set.fibres(), 60U);
+    EXPECT_THAT(said, testing::HasSubstr("served from memory"));
+    EXPECT_TRUE(fs::is_empty(cache));
+    EXPECT_EQ(loadTracts(file, cache, {}).fibres(), 60U);
+    EXPECT_FALSE(fs::is_empty(cache)) << "once there is room again it is kept";
 }
 
 class TractStore : public gpu::DeviceTest {};

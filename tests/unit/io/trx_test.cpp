@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <fstream>
 #include <functional>
 
@@ -145,6 +146,19 @@ TEST(Trx, ContradictionsAreRefusedWithASentence) {
                 testing::HasSubstr("has two columns 'fa'"));
     EXPECT_THAT(with([](Entries& e) { e["groups/left.uint32"] = std::string(4000, '\0'); }),
                 testing::HasSubstr("lists 1000 of 3"));
+    // A zip file whose directory promises more than its bytes can hold, or the same bytes twice.
+    writeTrx(*model::sourceOf(read(writeFolder(folder, example()))), folder.path() / "good.trx");
+    std::ifstream in(folder.path() / "good.trx", std::ios::binary);
+    const std::string good((std::istreambuf_iterator<char>(in)), {});
+    const std::size_t directory = good.find("PK\x01\x02");
+    ASSERT_NE(directory, good.npos);
+    const auto patched = [&](std::size_t at, std::uint32_t value) {
+        std::string bytes = good;
+        std::memcpy(&bytes[directory + at], &value, 4);
+        return folder.write("bomb.trx", bytes);
+    };
+    EXPECT_THAT(failure(patched(24, 0xfffffff0U)), testing::HasSubstr("cannot hold 4294967280"));
+    EXPECT_THAT(failure(patched(20, 0x7ffffff0U)), testing::HasSubstr("they overlap"));
     EXPECT_THAT(failure(folder.write("b.trx", "no zip")), testing::HasSubstr("is neither a folder nor a zip file"));
 }
 

@@ -75,7 +75,7 @@ TEST(SelectionText, WhatIsWrongIsShownWhereItStands) {
     EXPECT_THAT(failure("order(sphere(0,0,0,1))"), testing::HasSubstr("a second region"));
     EXPECT_THAT(failure("group(\"a"), testing::HasSubstr("a name that ends"));
     EXPECT_THAT(failure("(((everything)"), testing::HasSubstr("')'"));
-    EXPECT_THAT(failure(std::string(1000, '(') + "everything"), testing::HasSubstr("nested less than 64 deep"));
+    EXPECT_THAT(failure(std::string(1000, '(').append("everything")), testing::HasSubstr("nested less than 64 deep"));
     EXPECT_THAT(failure(std::string(70000, ' ')), testing::HasSubstr("at most 65536 are read"));
 }
 

@@ -244,7 +244,8 @@ TEST(PlanTensors, AreDrawnByTheirOwnModules) {
                 frame.quality.intersection = method;
                 const FramePlan plan = planFrame(frame, {layer}, kAll);
                 const std::string kind = traversal == model::Traversal::kRayQuery ? "query" : "trace";
-                EXPECT_EQ(modules(plan).front(), "glyph_" + kind + "_tensor" + std::to_string(order));
+                EXPECT_EQ(modules(plan).front(),
+                          std::string("glyph_").append(kind).append("_tensor").append(std::to_string(order)));
                 EXPECT_FALSE(plan.uses_pole_table);
                 EXPECT_NO_THROW(shaders::module(modules(plan).front()));
             }

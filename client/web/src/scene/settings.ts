@@ -12,6 +12,7 @@ import {
   type SceneSchema,
   type VoxelSelectionSchema,
 } from "../generated/radiata/v1/scene_pb";
+import { type FibreSettings, fibreLayers, noFibres } from "./fibres";
 import { type AnatomicalPlane, middleSlice, slicePosition, sliceRange } from "./slices";
 
 export type Region = "slice" | "slab" | "volume";
@@ -36,6 +37,7 @@ export interface Settings {
   /** null: the value that splits the volume best in two. */
   readonly isovalue: number | null;
   readonly surfaceOpacity: number;
+  readonly fibres: FibreSettings;
   readonly convention: Convention;
 }
 
@@ -55,6 +57,7 @@ export function defaultSettings(dataset: Dataset): Settings {
     surface: "",
     isovalue: null,
     surfaceOpacity: 0.4,
+    fibres: noFibres,
     convention: Convention.RADIOLOGICAL,
   };
 }
@@ -126,6 +129,7 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
         },
       },
       ...(settings.surface === "" ? [] : [surfaceLayer(settings)]),
+      ...fibreLayers(settings.fibres),
     ],
     annotations: { convention: settings.convention },
   };

@@ -1,8 +1,8 @@
 // Samples of a volume, and gradients from them.
 // The gradient of the cubic B-spline through 4x4x4 samples (they are its coefficients, so it smooths) hides the facets and the noise
-// of trilinear cells. Twin: server/reference/volume_function. Source: Wyman et al. 2006, Sec. 4.1.1.
-#ifndef RADIATA_ISOSURFACE_VOLUME
-#define RADIATA_ISOSURFACE_VOLUME
+// of trilinear cells. Twin: server/reference/scalar_field. Source: Wyman et al. 2006, Sec. 4.1.1.
+#ifndef RADIATA_COMMON_VOLUME
+#define RADIATA_COMMON_VOLUME
 #include "shaders/shared/isosurface.glsl"
 #include "shaders/common/cubic.glsl"
 

@@ -1,0 +1,28 @@
+#include "tools/lab/light_bench.h"
+
+#include <cstdlib>
+#include <filesystem>
+
+#include "build/folded_ball.h"
+#include "io/scalar_image.h"
+
+namespace radiata::lab {
+
+LabVolume headOrBall(int size) {
+    if (const char* folder = std::getenv("RADIATA_DATA")) {
+        const std::filesystem::path file = std::filesystem::path(folder) / "vols" / "t1_studyforrest_1mm.nii.gz";
+        std::error_code failure;
+        if (std::filesystem::is_regular_file(file, failure)) {
+            model::ScalarImage image = io::readScalarImage(file);
+            const glm::dvec3 middle = 0.5 * glm::dvec3(image.size - 1);
+            image.voxel_to_world = glm::dmat4(1);
+            image.voxel_to_world[3] = glm::dvec4(-middle, 1);
+            const std::string extent =
+                std::to_string(image.size.x) + "x" + std::to_string(image.size.y) + "x" + std::to_string(image.size.z);
+            return {std::move(image), 25, "T1 image of a head (" + extent + " voxels of 1 mm, public), isovalue 25"};
+        }
+    }
+    return {foldedBall(size), 30, "folded ball of " + std::to_string(size) + "^3 voxels"};
+}
+
+}  // namespace radiata::lab

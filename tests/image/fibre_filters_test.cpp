@@ -1,0 +1,244 @@
+// What regions, columns and selections leave of a layer of fibres, and what colours it, against the segments in double.
+#include <cmath>
+#include <set>
+
+#include "image/fibre_scenes.h"
+#include "image/fixture.h"
+#include "reference/colour_map.h"
+#include "reference/shading.h"
+
+namespace radiata::test {
+namespace {
+
+class FibreFilters : public ImageTest {
+protected:
+    /// 60 fibres about the origin with a column per fibre, f / 10, and one per point, x.
+    static model::FibletSet columned() {
+        model::FibletSet made = randomTractogram(21, 60, 150, 0.4, 12);
+        made.fibre_columns.push_back({"weight", 1, {}});
+        for (std::uint32_t f = 0; f < 60; ++f) made.fibre_columns[0].values.push_back(0.1F * static_cast<float>(f));
+        model::PointColumn& column = made.point_columns.emplace_back();
+        column.name = "x";
+        column.ranges.assign(made.heads.size(), {-40, 40});
+        column.values.assign(64 * made.heads.size(), 255);
+        for (const reference::FibreSegment& s : decodedSegments(made)) {
+            const std::uint32_t fiblet = s.who >> 6U, i = s.who & 63U;
+            column.values[64 * fiblet + i] = static_cast<std::uint8_t>(std::lround((s.from.x + 40) / 80 * 254));
+            column.values[64 * fiblet + i + 1] = static_cast<std::uint8_t>(std::lround((s.to.x + 40) / 80 * 254));
+        }
+        return made;
+    }
+
+    void SetUp() override {
+        set = columned();
+        store.add("fibres", set);
+        segments = decodedSegments(set);
+        request = fibreRequest("fibres", 160, 120);
+        request.camera.eye_mm = {40, 30, 50};
+        request.camera.height_mm = 40;
+        // Light from nowhere: what is seen is the base colour.
+        request.scene.light.irradiance = 0;
+        request.scene.light.ambient = 1;
+    }
+
+    model::TractogramLayer& layer() { return request.scene.layers[0].tracts(); }
+
+    /// Calls body(pixel, segment, frame) for each pixel that shows one. \return  how many
+    template <typename Body>
+    int forSeen(Body&& body) {
+        const model::Frame frame = draw(request);
+        int count = 0;
+        for (std::size_t at = 0; at < frame.pixels.depth.size(); ++at) {
+            const std::int32_t* id = &frame.pixels.id[4 * at];
+            if (id[0] < 0) continue;
+            const auto fibre = static_cast<std::uint32_t>(id[1]), point = static_cast<std::uint32_t>(id[2]);
+            const std::uint32_t who = set.fibre_fiblets[set.fibre_first[fibre] + point / 63] << 6U | point % 63;
+            body(at, *std::ranges::find(segments, who, &reference::FibreSegment::who), frame);
+            ++count;
+        }
+        return count;
+    }
+
+    model::FibletSet set;
+    std::vector<reference::FibreSegment> segments;
+    model::FrameRequest request;
+};
+
+/// What is seen lies inside, or outside; with and without culling alike; a mesh of a box cuts as the box does.
+TEST_F(FibreFilters, CutByRegions) {
+    model::TriangleMesh mesh;
+    for (int c = 0; c < 8; ++c) mesh.points.emplace_back(c & 1 ? 6 : -6, c & 2 ? 6 : -6, c & 4 ? 6 : -6);
+    for (const glm::uvec4& f : {glm::uvec4(0, 2, 3, 1), glm::uvec4(4, 5, 7, 6), glm::uvec4(0, 1, 5, 4), glm::uvec4(2, 6, 7, 3),
+                                glm::uvec4(0, 4, 6, 2), glm::uvec4(1, 3, 7, 5)}) {
+        mesh.triangles.emplace_back(f.x, f.y, f.z);
+        mesh.triangles.emplace_back(f.x, f.z, f.w);
+    }
+    store.add("box", mesh);
+    const auto middle = [](const reference::FibreSegment& s) { return 0.5 * (s.from + s.to); };
+    const int all = forSeen([](auto...) {});
+    layer().region_cuts = {{"sphere(2, 0, 0, 7)", false}};
+    const auto from = [&](const reference::FibreSegment& s) { return glm::length(middle(s) - glm::dvec3(2, 0, 0)); };
+    const int inside = forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_LT(from(s), 7.001); });
+    layer().region_cuts[0].outside = true;
+    const int outside = forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_GT(from(s), 6.999); });
+    EXPECT_GT(inside, 100);
+    EXPECT_GT(outside, 500);
+    EXPECT_GE(inside + outside, all);
+    layer().region_cuts = {{"box(-6, -6, -6, 6, 6, 6)", true}, {"plane(0, 0, 0, 0, 0, 1)", false}};
+    const model::Frame by_box = draw(request);
+    EXPECT_GT(by_box.info.hit_pixels, 200);
+    forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_LT(middle(s).z, 1e-3); });
+    layer().region_cuts[0].region = "mesh(box)";
+    EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
+    request.quality.fiblet_culling = model::FibletCulling::kNone;
+    EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
+    layer().region_cuts[0].region = "mesh(nobody)";
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kNotFound);
+    layer().region_cuts[0].region = "mesh(fibres)";
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+    layer().region_cuts[0].region = "length(1, 2)";
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+}
+
+TEST_F(FibreFilters, KeepWhatMeetsCriteria) {
+    layer().criteria = {{"weight", 1.95F, 4.05F}};
+    EXPECT_GT(forSeen([&](std::size_t at, const auto&, const model::Frame& frame) {
+                  ASSERT_GE(frame.pixels.id[4 * at + 1], 20);
+                  ASSERT_LE(frame.pixels.id[4 * at + 1], 40);
+              }),
+              200);
+    layer().criteria = {{"x", 0, INFINITY}};
+    // Bytes stand for steps of 80 / 254 mm.
+    EXPECT_GT(forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) { ASSERT_GT(s.from.x + s.to.x, -0.4); }),
+              300);
+    layer().criteria = {{"y", 0, 1}};
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+    layer().criteria = {{"x", 1, 0}};
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+}
+
+/// A selection shows the fibres that the brute-force answer has; with another it stands out while the rest is dimmed.
+TEST_F(FibreFilters, ShowSelections) {
+    std::set<int> expected;
+    for (const reference::FibreSegment& s : segments) {
+        const glm::dvec3 d = s.to - s.from;
+        const double t = std::clamp(-glm::dot(s.from, d) / glm::dot(d, d), 0.0, 1.0);
+        if (glm::length(s.from + t * d) <= 4) expected.insert(static_cast<int>(set.heads[s.who >> 6U].fibre));
+    }
+    ASSERT_GE(expected.size(), 3);
+    layer().shown.selection = "any sphere(0, 0, 0, 4)";
+    std::set<int> seen;
+    forSeen([&](std::size_t at, const auto&, const model::Frame& frame) { seen.insert(frame.pixels.id[4 * at + 1]); });
+    EXPECT_EQ(seen, expected);
+    layer().shown = {};
+    layer().colour.mode = model::FibreColourMode::kUniform;
+    layer().colour.uniform = glm::vec3(1);
+    layer().selected.emplace().selection = "any sphere(0, 0, 0, 4)";
+    forSeen([&](std::size_t at, const auto&, const model::Frame& frame) {
+        ASSERT_EQ(frame.pixels.rgba[4 * at] == 255, expected.contains(frame.pixels.id[4 * at + 1]));
+    });
+    layer().selected->selection = "any sphere(";
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+}
+
+/// Base colours to 2 of 255 steps, by the table's reference.
+TEST_F(FibreFilters, AreColouredByPointsEndsAndDistance) {
+    const auto table = std::span<const glm::vec3>(linearColourTable(ColourMap::kGrey));
+    const auto grey = [&](double value, double low, double high) {
+        return 255 * reference::srgbFromLinear(reference::mappedColour(table, value, low, high).x);
+    };
+    layer().colour.map = ColourMap::kGrey;
+    layer().colour.mode = model::FibreColourMode::kPointColumn;
+    layer().colour.column = "x";
+    layer().colour.range = model::FibreColourRange{-20, 20};
+    EXPECT_GT(forSeen([&](std::size_t at, const reference::FibreSegment& s, const model::Frame& frame) {
+                  // Rounding to bytes: half a step of 80 / 254 mm.
+                  ASSERT_NEAR(frame.pixels.rgba[4 * at], grey(0.5 * (s.from.x + s.to.x), -20, 20), 2 + 255 * 0.16 / 40);
+              }),
+              500);
+    layer().colour.mode = model::FibreColourMode::kDistance;
+    layer().colour.region = "sphere(1, 2, 3, 5)";
+    layer().colour.range = model::FibreColourRange{0, 30};
+    forSeen([&](std::size_t at, const reference::FibreSegment& s, const model::Frame& frame) {
+        const double away = std::max(glm::length(0.5 * (s.from + s.to) - glm::dvec3(1, 2, 3)) - 5, 0.0);
+        // Two steps of a grid over some 100 mm, and half a segment and pixel.
+        ASSERT_NEAR(frame.pixels.rgba[4 * at], grey(away, 0, 30), 2 + 255 * 2.0 / 30) << away;
+    });
+    layer().colour.range.reset();
+    layer().colour.mode = model::FibreColourMode::kEnds;
+    forSeen([&](std::size_t at, const reference::FibreSegment& s, const model::Frame& frame) {
+        const std::uint32_t fibre = set.heads[s.who >> 6U].fibre;
+        const std::uint32_t first = set.fibre_fiblets[set.fibre_first[fibre]] << 6U;
+        const std::uint32_t last = set.fibre_fiblets[set.fibre_first[fibre + 1] - 1];
+        const auto begin = std::ranges::find(segments, first, &reference::FibreSegment::who);
+        const auto end = std::ranges::find(segments, last << 6U | (model::fibletSegments(set.heads[last]) - 1),
+                                           &reference::FibreSegment::who);
+        const glm::dvec3 way = glm::abs(glm::normalize(end->to - begin->from));
+        for (std::size_t c = 0; c < 3; ++c) ASSERT_NEAR(frame.pixels.rgba[4 * at + c], 255 * way[static_cast<int>(c)], 1.5);
+    });
+    layer().colour.mode = model::FibreColourMode::kPointColumn;
+    layer().colour.component = 1;
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+}
+
+/// The mean of 64 samples of lines at all slants is the area that a strip of their width covers of each pixel, to 1/10 of a
+/// pixel, 1/40 on average; as they are drawn otherwise, oblique ones are thinner.
+TEST_F(FibreFilters, CoverWhatTheirWidthSays) {
+    Fibres fibres;
+    for (int i = 0; i < 8; ++i) {
+        const double angle = M_PI * (i + 0.3) / 8;
+        std::vector<glm::vec3> line;
+        for (int k = -60; k <= 60; ++k) {
+            line.emplace_back(12 * (i % 4) - 18 + 0.05 * k * std::cos(angle), 12 * (i / 4) - 6 + 0.05 * k * std::sin(angle), 0);
+        }
+        fibres.add(line);
+    }
+    set = encodeFiblets(fibres.points, fibres.offsets, {});
+    store.add("lines", set);
+    segments = decodedSegments(set);
+    request = fibreRequest("lines", 200, 120, 64);
+    request.scene.light.irradiance = 0;
+    request.scene.light.ambient = 1;
+    layer().colour.mode = model::FibreColourMode::kUniform;
+    layer().colour.uniform = glm::vec3(1);
+    layer().line_width_px = 3;
+    layer().exact_width = true;
+    request.camera.eye_mm = {0, 0, 50};
+    request.camera.up = {0, 1, 0};
+    request.camera.height_mm = 30;
+    const double pixel_mm = 30.0 / 120;
+    const model::Frame frame = draw(request);
+    double worst = 0, sum = 0;
+    int count = 0;
+    for (int y = 0; y < 120; ++y) {
+        for (int x = 0; x < 200; ++x) {
+            double covered = 0, least = 1e9;
+            for (int s = 0; s < 256; ++s) {
+                const glm::dvec2 p((x + (s % 16 + 0.5) / 16 - 100) * pixel_mm, (60 - y - (s / 16 + 0.5) / 16) * pixel_mm);
+                bool in = false;
+                for (int i = 0; i < 8; ++i) {
+                    const double angle = M_PI * (i + 0.3) / 8;
+                    const glm::dvec2 along(std::cos(angle), std::sin(angle)),
+                        d = p - glm::dvec2(12 * (i % 4) - 18, 12 * (i / 4) - 6);
+                    // Ends are cut along a row or column, not across.
+                    least = std::min(least, std::abs(std::abs(glm::dot(d, along)) - 3));
+                    in = in || (std::abs(glm::dot(d, along)) < 3 && std::abs(d.x * along.y - d.y * along.x) < 1.5 * pixel_mm);
+                }
+                covered += in / 256.0;
+            }
+            if (least < 3 * pixel_mm) continue;
+            const double shown =
+                reference::linearFromSrgb(frame.pixels.rgba[4 * static_cast<std::size_t>(y * 200 + x)] / 255.0);
+            if (covered == 0 && shown == 0) continue;
+            worst = std::max(worst, std::abs(shown - covered));
+            sum += std::abs(shown - covered);
+            ++count;
+        }
+    }
+    EXPECT_GT(count, 200);
+    EXPECT_LT(worst, 0.1);
+    EXPECT_LT(sum / count, 0.025);
+}
+
+}  // namespace
+}  // namespace radiata::test
