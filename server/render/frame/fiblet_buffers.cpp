@@ -57,6 +57,7 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
     ensureBytes(device, page_order, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kUpload,
                 "fiblet page order");
+    ensureBytes(device, found_pages, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kDevice, "found pages");
     if (size != size_) {
         std::uint32_t pyramid_words = 0;
         level_offsets = levelOffsets(size, pyramid_words);

@@ -23,6 +23,7 @@ struct FibletBuffers {
     gpu::Buffer visible;                       ///< one bit per fiblet
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
+    gpu::Buffer found_pages;                   ///< uint[pages]: in which fiblets can be seen
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at

@@ -28,9 +28,12 @@ constexpr std::uint32_t kPagesAtOnce = 16'384;
 struct LayerPush {
     std::uint64_t layer, surface;
 };
-struct CullPush {
-    std::uint64_t layer;
+struct CullPagesPush {
+    std::uint64_t layer, found;
     std::uint32_t first_page, page_count;
+};
+struct CullPush {
+    std::uint64_t layer, pages;
 };
 struct RasterPush {
     std::uint64_t layer;
@@ -243,11 +246,17 @@ private:
         // pixel.
         const auto width = static_cast<float>(plan_.line_width_px);
         const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
-        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
-        for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
-            const std::uint32_t count = std::min(end - first, kPagesAtOnce);
-            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
+        const std::uint32_t tubes = plan_.tubes ? 1 : 0;
+        own_.counts().pages = 0;
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_cull_pages", {PassRun::kGroup, phase, margin, tubes}),
+                               "fiblet cull" + suffix_, PassRun::groups(end - first), 1, 1,
+                               CullPagesPush{own_.layerAddress(), own_.found_pages.address(), first, end - first});
+        submit(0);
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, tubes, plan_.segments ? 1U : 0U});
+        for (std::uint32_t page = 0, pages = own_.counts().pages; page < pages; page += std::min(pages - page, kPagesAtOnce)) {
+            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, std::min(pages - page, kPagesAtOnce), 1, 1,
+                                   CullPush{own_.layerAddress(), own_.found_pages.address() + std::uint64_t{4} * page});
         }
         submit(0);
     }
