@@ -134,57 +134,5 @@ TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
     }
 }
 
-/// Culled and unculled frames of a pipeline have the same ids and depths, whatever was seen before.
-TEST_F(FibrePipelines, DoNotDependOnCulling) {
-    const glm::dvec3 centre(-3, 8, 1);
-    store.add("fibres", randomTractogram(8, 100, 300, 0.3, 8, centre));
-    for (const Pipeline pipeline : {Pipeline::kPull, Pipeline::kMesh, Pipeline::kGeometry, Pipeline::kTessellation}) {
-        std::mt19937 random(9);
-        render::Target kept;
-        int shown = 0;
-        for (int i = 0; i < 25; ++i) {
-            model::FrameRequest request = fibreRequest("fibres", 32, 24);
-            request.quality.fiblet_pipeline = pipeline;
-            request.camera = randomCamera(random, centre, 15);
-            // Selected fibres are tubes, by the compute shader; the others are lines.
-            if (i % 4 == 3) {
-                request.scene.layers[0].tracts().tube_radius_mm = 0.2F;
-                request.scene.layers[0].tracts().selected.emplace().fibres = {1, 5, 9, 33};
-            }
-            request.quality.fiblet_culling = model::FibletCulling::kNone;
-            const model::Frame all = draw(request);
-            request.quality.fiblet_culling = model::FibletCulling::kTwoPhase;
-            const model::Frame culled = renderer.render(kept, request, 0, 1, everything());
-            ASSERT_EQ(all.pixels.id, culled.pixels.id) << model::pipelineName(pipeline) << ", camera " << i;
-            ASSERT_EQ(all.pixels.depth, culled.pixels.depth) << model::pipelineName(pipeline) << ", camera " << i;
-            EXPECT_LE(culled.info.fiblets_drawn, culled.info.fiblets);
-            shown += all.info.hit_pixels > 60;
-        }
-        EXPECT_GT(shown, 8) << "cameras that see something";
-    }
-}
-
-/// Picks answer with what the picture shows, by its own pipeline.
-TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
-    store.add("fibres", randomTractogram(12, 30, 150, 0.4, 12));
-    model::FrameRequest request = fibreRequest("fibres", 48, 36);
-    request.camera.eye_mm = {30, 20, 40};
-    request.camera.height_mm = 30;
-    for (const Pipeline pipeline : {Pipeline::kMesh, Pipeline::kPull, Pipeline::kPoints}) {
-        request.quality.fiblet_pipeline = pipeline;
-        const model::Frame frame = draw(request);
-        int picked = 0;
-        for (int at = 0; at < 48 * 36; at += 7) {
-            const std::int32_t* id = &frame.pixels.id[4 * static_cast<std::size_t>(at)];
-            const auto answer = renderer.pick(request, at % 48, at / 48);
-            ASSERT_EQ(answer.has_value(), id[0] >= 0) << model::pipelineName(pipeline) << " " << at;
-            if (!answer) continue;
-            ++picked;
-            EXPECT_EQ(static_cast<std::int32_t>(std::get<model::PickedFibre>(*answer).fibre), id[1]);
-        }
-        EXPECT_GT(picked, 20);
-    }
-}
-
 }  // namespace
 }  // namespace radiata::test
