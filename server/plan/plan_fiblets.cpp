@@ -102,6 +102,13 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     fiblets.cuts = static_cast<std::uint32_t>(layer.cuts.size());
     fiblets.line_width_px = layer.line_width_px;
     fiblets.tube_radius_mm = layer.tube_radius_mm.value_or(0);
+    const bool transparent = plan.resolved.scene.layers[index].opacity < 1;
+    if (fiblets.pipeline != model::FibletPipeline::kAtomic && (fiblets.segments || fiblets.exact_width || transparent)) {
+        throw Error(Code::kUnsupported, "scene.layers[" + std::to_string(index) +
+                                            "] is transparent, has exact_width or shows single segments of fibres, which the "
+                                            "fiblet pipeline atomic draws and " +
+                                            std::string(model::pipelineName(fiblets.pipeline)) + " does not");
+    }
     // The others draw every segment.
     if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);

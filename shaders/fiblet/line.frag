@@ -38,6 +38,9 @@ void main() {
     const float length_px = columns ? along.x : along.y;
     const float passed = columns ? at.x - pixel_a.x : at.y - pixel_a.y;
     const float share = length_px == 0.0 ? 0.0 : clamp(passed / length_px, 0.0, 1.0);
+    // Pixels that the segment does not come near are not of it; see line_end.glsl.
+    const vec2 off = abs(at - mix(pixel_a, pixel_b, share));
+    if (max(off.x, off.y) > 0.5 * view.line_width + 1.5) discard;
     const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
     const vec3 eye = mix(a.xyz, b.xyz, s);
     if (eye.z > view.far_depth) discard;

@@ -5,6 +5,8 @@
 #include <bit>
 #include <chrono>
 
+#include "gpu/device.h"
+
 namespace radiata::render {
 namespace {
 
@@ -75,19 +77,21 @@ void FibletLines::begin() {
     if (model::drawsByRasteriser(plan_.pipeline)) run_.recorder.clear(target.fiblet_lines->images);
 }
 
-/// Constants 1 to 7 of all these shaders; see there.
+/// Constants 0 to 8 of all these shaders; see there.
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
     using gpu::ShaderStage;
     const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
     const bool meshes = serial || plan_.pipeline == model::FibletPipeline::kMesh;
-    const std::vector<std::uint32_t> constants{PassRun::kGroup,
-                                               meshes ? (serial ? 1U : 0U) : (listed ? 1U : 0U),
-                                               plan_.cuts,
-                                               plan_.states ? 1U : 0U,
-                                               plan_.tubes ? 1U : 0U,
-                                               std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
-                                               phase,
-                                               counts ? 1U : 0U};
+    const std::vector<std::uint32_t> constants{
+        PassRun::kGroup,
+        meshes ? (serial ? 1U : 0U) : (listed ? 1U : 0U),
+        plan_.cuts,
+        plan_.states ? 1U : 0U,
+        plan_.tubes ? 1U : 0U,
+        std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
+        phase,
+        counts ? 1U : 0U,
+        std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px))};
     gpu::Assembly assembly{.primitives = gpu::Primitives::kLineStrips, .line_width = static_cast<float>(plan_.line_width_px)};
     std::vector<std::pair<ShaderStage, std::string>> stages;
     switch (plan_.pipeline) {
