@@ -48,7 +48,9 @@ void main() {
         if (seen_last != (kPhase == 1u)) return;
     }
     if (kSegments && WordBuffer(layer.segments).at[fiblet] == 0ul) return;
+    const FibletBox own = BoxBuffer(layer.boxes).at[fiblet];
     vec3 low, high;
-    fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
-    if (visible(layer, low, high) && !(kPhase == 2u && hiddenAlong(layer, BoxBuffer(layer.boxes).at[fiblet], low, high))) UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.listed, 1u)] = fiblet;
+    fibletBoxCorners(box, own, low, high);
+    if (!visible(layer, low, high) || (kPhase == 2u && hiddenAlong(layer, own, low, high))) return;
+    UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.listed, 1u)] = fiblet;
 }

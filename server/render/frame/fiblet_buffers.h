@@ -48,6 +48,8 @@ struct FibletBuffers {
     /// Everything that drawing reads. \param view  of this sample
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);
+    /// Pages nearest first by the layer's view, into page_order. \return  how many
+    std::uint32_t orderPages(const FibletScene& scene) const;
 
 private:
     glm::ivec2 size_{0};

@@ -75,7 +75,7 @@ public:
             if (plan_.culling == model::FibletCulling::kNone) {
                 drawAll();
             } else if (run_.list.frozen) {
-                step(1, 0, orderPages());
+                step(1, 0, own_.orderPages(scene_));
             } else {
                 drawCulled();
             }
@@ -130,7 +130,7 @@ private:
         if (plan_.culling == model::FibletCulling::kNone) {
             raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
         } else {
-            cull(0, 0, orderPages());
+            cull(0, 0, own_.orderPages(scene_));
             raster(true, 0, own_.counts().listed);
         }
         own_.drawn = own_.counts().listed;
@@ -274,23 +274,8 @@ private:
         }
     }
 
-    /// Pages nearest first, for the second phase. \return  how many
-    std::uint32_t orderPages() {
-        const std::vector<shader::FibletPage>& boxes = scene_.pages();
-        const glm::vec3 forward = own_.layer().view.forward;
-        std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            const glm::vec3 middle = 0.5F * (boxes[i].low + boxes[i].high), reach = boxes[i].high - middle;
-            order[i] = {glm::dot(forward, middle) - glm::dot(glm::abs(forward), reach), static_cast<std::uint32_t>(i)};
-        }
-        std::ranges::sort(order);
-        std::span<std::uint32_t> to = own_.page_order.as<std::uint32_t>();
-        for (std::size_t i = 0; i < order.size(); ++i) to[i] = order[i].second;
-        return static_cast<std::uint32_t>(order.size());
-    }
-
     void drawCulled() {
-        const std::uint32_t pages = orderPages();
+        const std::uint32_t pages = own_.orderPages(scene_);
         own_.drawn = 0;
         if (coverage()) {
             if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();
