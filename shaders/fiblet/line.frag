@@ -14,6 +14,8 @@
 
 layout(constant_id = 2) const uint kCuts = 0u;
 
+layout(constant_id = 9) const bool kSegments = false;  // some segments are left out
+
 layout(push_constant, scalar) uniform Push { LayerBuffer layer; } push;
 
 layout(location = 0) PER_SEGMENT in vec4 from;  // eye points of the ends
@@ -24,6 +26,7 @@ layout(location = 0) out uvec4 words;  // who, depth, tangent, 0
 void main() {
     const FibletView view = push.layer.layer.view;
     if (who == FIBLET_NOBODY) discard;
+    if (kSegments && (WordBuffer(push.layer.layer.segments).at[who >> FIBLET_SEGMENT_BITS] >> (who & FIBLET_SEGMENTS) & 1ul) == 0ul) discard;
     const vec3 way = to.xyz - from.xyz;
     vec4 a = from, b = to;
     if (min(a.z, b.z) < view.near_depth) {

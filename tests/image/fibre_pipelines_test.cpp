@@ -122,7 +122,7 @@ TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
         request.quality.fiblet_pipeline = pipeline;
         const model::Frame frame = draw(request);
         int picked = 0;
-        for (int at = 0; at < 48 * 36; at += 7) {
+        for (int at = 0; at < 48 * 36; at += 17) {
             const std::int32_t* id = &frame.pixels.id[4 * static_cast<std::size_t>(at)];
             const auto answer = renderer.pick(request, at % 48, at / 48);
             ASSERT_EQ(answer.has_value(), id[0] >= 0) << model::pipelineName(pipeline) << " " << at;
@@ -130,7 +130,7 @@ TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
             ++picked;
             EXPECT_EQ(static_cast<std::int32_t>(std::get<model::PickedFibre>(*answer).fibre), id[1]);
         }
-        EXPECT_GT(picked, 20);
+        EXPECT_GT(picked, 10);
     }
 }
 

@@ -77,7 +77,7 @@ void FibletLines::begin() {
     if (model::drawsByRasteriser(plan_.pipeline)) run_.recorder.clear(target.fiblet_lines->images);
 }
 
-/// Constants 0 to 8 of all these shaders; see there.
+/// Constants 0 to 9 of all these shaders; see there.
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
     using gpu::ShaderStage;
     const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
@@ -91,7 +91,8 @@ const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool lis
         std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
         phase,
         counts ? 1U : 0U,
-        std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px))};
+        std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px)),
+        plan_.segments ? 1U : 0U};
     gpu::Assembly assembly{.primitives = gpu::Primitives::kLineStrips, .line_width = static_cast<float>(plan_.line_width_px)};
     std::vector<std::pair<ShaderStage, std::string>> stages;
     switch (plan_.pipeline) {
@@ -215,8 +216,9 @@ void FibletLines::strips() {
 
 void FibletLines::points() {
     const FibreVertices& vertices = *run_.list.layers[index_].vertices;
-    const gpu::ComputePipeline& drawing =
-        run_.pipelines.get("fiblet_points", {PassRun::kGroup, plan_.cuts, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U});
+    const gpu::ComputePipeline& drawing = run_.pipelines.get(
+        "fiblet_points",
+        {PassRun::kGroup, plan_.cuts, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
     for (std::uint32_t first = 0; first < vertices.count();) {
         run_.checkCancelled();
         const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 6e4)) * PassRun::kGroup;
