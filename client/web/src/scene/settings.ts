@@ -9,6 +9,9 @@ import {
   NegativeLobes,
   Plane,
   type SceneSchema,
+  Shadow,
+  Uncertainty_Kind as UncertaintyKind,
+  type UncertaintySchema,
   type VoxelSelectionSchema,
 } from "../generated/radiata/v1/scene_pb";
 import { type FibreSettings, fibreLayers, noFibres } from "./fibres";
@@ -33,6 +36,10 @@ export interface Settings extends SurfaceSettings {
   readonly colour: string;
   readonly colourMap: ColourMap;
   readonly fibres: FibreSettings;
+  /** Id of the SH image that says how uncertain glyphs are, after "glyphs:" or "deviations:" for what it holds; empty: not shown. */
+  readonly uncertainty: string;
+  readonly shadow: Shadow;
+  readonly occlusion: boolean;
   readonly convention: Convention;
 }
 
@@ -51,6 +58,9 @@ export function defaultSettings(dataset: Dataset): Settings {
     colourMap: ColourMap.VIRIDIS,
     ...defaultSurface,
     fibres: noFibres,
+    uncertainty: "",
+    shadow: Shadow.NONE,
+    occlusion: false,
     convention: Convention.RADIOLOGICAL,
   };
 }
@@ -65,6 +75,19 @@ export function colourChoices(dataset: Dataset, all: readonly Dataset[]): string
 /** Volumes that have isosurfaces. */
 export const surfaceChoices = (all: readonly Dataset[]): string[] =>
   all.filter(({ kind }) => kind === DatasetKind.SCALAR_VOLUME).map(({ id }) => id);
+
+/** What may say how uncertain a dataset's glyphs are: SH images with as many voxels. */
+export function uncertaintyChoices(dataset: Dataset, all: readonly Dataset[]): string[] {
+  const fitting = all.filter(
+    ({ id, kind, size }) => kind === DatasetKind.SH_IMAGE && id !== dataset.id && size.join() === dataset.size.join(),
+  );
+  return fitting.flatMap(({ id }) => [`glyphs:${id}`, `deviations:${id}`]);
+}
+
+function uncertainty(choice: string): MessageInitShape<typeof UncertaintySchema> {
+  const [kind, datasetId] = choice.split(":");
+  return { datasetId, kind: kind === "deviations" ? UncertaintyKind.DEVIATIONS : UncertaintyKind.GLYPHS };
+}
 
 export const isMapped = (colour: string): boolean => colour !== "direction";
 
@@ -81,6 +104,7 @@ export function adapt(settings: Settings, dataset: Dataset): Settings {
     datasetId: dataset.id,
     slice: middleSlice(sliceRange(dataset, settings.plane)),
     lmax: settings.lmax !== null && settings.lmax > dataset.lmax ? null : settings.lmax,
+    uncertainty: dataset.id !== settings.datasetId ? "" : settings.uncertainty,
     colour: dataset.id !== settings.datasetId && settings.colour.startsWith("scalar:") ? "direction" : settings.colour,
   };
 }
@@ -111,6 +135,7 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
             scale: { mode: settings.scaleMode, factor: settings.scaleFactor },
             ...(settings.lmax !== null && { lmax: settings.lmax }),
             ...(settings.colour !== "direction" && { colour: glyphColour(settings) }),
+            ...(settings.uncertainty !== "" && { uncertainty: uncertainty(settings.uncertainty) }),
             negativeLobes: settings.negativeLobes ? NegativeLobes.SHOWN : NegativeLobes.HIDDEN,
           },
         },
@@ -118,7 +143,13 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
       ...surfaceLayers(settings),
       ...fibreLayers(settings.fibres),
     ],
-    ...(illumination && { light: { illumination } }),
+    ...((illumination || settings.shadow !== Shadow.NONE || settings.occlusion) && {
+      light: {
+        ...(illumination && { illumination }),
+        ...(settings.shadow !== Shadow.NONE && { shadow: settings.shadow }),
+        ...(settings.occlusion && { ambientOcclusion: {} }),
+      },
+    }),
     annotations: { convention: settings.convention },
   };
 }
