@@ -34,6 +34,9 @@ void readProperties(Device::Impl& impl) {
     impl.info.driver = std::string(driver.driverName) + " " + std::string(driver.driverInfo);
     impl.info.subgroup_size = chain.get<vk::PhysicalDeviceVulkan11Properties>().subgroupSize;
     impl.info.storage_range_max = impl.properties.limits.maxStorageBufferRange;
+    const vk::PhysicalDeviceLimits& core_limits = impl.properties.limits;
+    impl.info.line_frame_px =
+        std::min({16'384U, core_limits.maxViewportDimensions[0], core_limits.maxViewportDimensions[1]}) & ~1U;
     if (impl.has(Feature::kWideLines)) impl.info.line_width_max = impl.properties.limits.lineWidthRange[1];
     impl.info.software = impl.properties.deviceType == vk::PhysicalDeviceType::eCpu;
     for (std::uint32_t i = 0; i < impl.memory.memoryHeapCount; ++i) {

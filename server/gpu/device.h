@@ -40,6 +40,7 @@ struct DeviceInfo {
     std::uint64_t storage_range_max = 0;  ///< bytes
     std::uint64_t memory_bytes = 0;       ///< largest device-local heap
     float line_width_max = 1;             ///< pixels, of Feature::kLines
+    std::uint32_t line_frame_px = 4096;   ///< edge of the viewport of CommandRecorder::drawLines(), about the target's middle
     bool software = false;                ///< a CPU rasteriser
 };
 

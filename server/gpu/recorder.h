@@ -29,7 +29,7 @@ struct DrawRange {
     std::uint32_t rows = 0;
 };
 
-/// Draws without indices, where the whole target is.
+/// Draws without indices, where the whole target is, by a viewport of DeviceInfo::line_frame_px about its middle.
 struct VertexDraw {
     std::uint32_t first_vertex = 0, vertices = 0, first_instance = 0, instances = 1;
 };

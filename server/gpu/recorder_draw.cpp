@@ -101,8 +101,11 @@ void CommandRecorder::drawLineBytes(const GraphicsPipeline& pipeline, const std:
         const vk::raii::CommandBuffer& commands = impl_->commands;
         beginRendering(commands, into, vk::AttachmentLoadOp::eLoad);
         commands.bindPipeline(vk::PipelineBindPoint::eGraphics, *pipeline.impl().pipeline);
-        commands.setViewport(0, vk::Viewport{.width = static_cast<float>(into.width),
-                                             .height = static_cast<float>(into.height),
+        const auto frame = static_cast<float>(impl_->device.info.line_frame_px);
+        commands.setViewport(0, vk::Viewport{.x = 0.5F * (static_cast<float>(into.width) - frame),
+                                             .y = 0.5F * (static_cast<float>(into.height) - frame),
+                                             .width = frame,
+                                             .height = frame,
                                              .minDepth = 0,
                                              .maxDepth = 1});
         commands.setScissor(0, vk::Rect2D{.extent = {into.width, into.height}});

@@ -20,13 +20,15 @@ model::FibreColourRange fibreRange(const model::FibreColour& colour, const Layer
 }
 
 /// The pipeline, or why not. \param tubes  some fibres are tubes
+/// \param by_compute  it has other things that the rasteriser of lines does not draw; their name, or empty
 model::FibletPipeline choosePipeline(model::FibletPipeline wanted, const Abilities& abilities, int line_width_px, bool tubes,
-                                     const std::string& where) {
+                                     const std::string& by_compute, const std::string& where) {
     using Pipeline = model::FibletPipeline;
     const auto failed = [&](Pipeline one) { return (abilities.failed_pipelines >> static_cast<unsigned>(one) & 1U) != 0; };
     if (wanted == Pipeline::kAuto) {
         const bool atomic = abilities.int64_atomics && !failed(Pipeline::kAtomic);
-        wanted = atomic || !abilities.lines || failed(Pipeline::kPull) || tubes ? Pipeline::kAtomic : Pipeline::kPull;
+        wanted = atomic || !abilities.lines || failed(Pipeline::kPull) || tubes || !by_compute.empty() ? Pipeline::kAtomic
+                                                                                                       : Pipeline::kPull;
     }
     const auto need = [&](bool has, const std::string& what) {
         if (!has) {
@@ -41,6 +43,10 @@ model::FibletPipeline choosePipeline(model::FibletPipeline wanted, const Abiliti
                                             std::string(model::pipelineName(wanted)) +
                                             ", whose self-test shows a wrong picture on this device");
     };
+    if (!by_compute.empty() && wanted != Pipeline::kAtomic) {
+        throw Error(Code::kUnsupported, where + " has " + by_compute + ", which the fiblet pipeline atomic alone draws, not " +
+                                            std::string(model::pipelineName(wanted)));
+    }
     const bool by_atomics = wanted == Pipeline::kAtomic || wanted == Pipeline::kPoints;
     need(abilities.int64_atomics || !(by_atomics || tubes), std::string(by_atomics ? "" : "for tubes ") + "64-bit atomics");
     if (!model::drawsByRasteriser(wanted)) {
@@ -87,6 +93,9 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     model::Quality& quality = plan.resolved.quality;
     quality.fiblet_pipeline =
         choosePipeline(quality.fiblet_pipeline, abilities, layer.line_width_px, layer.tube_radius_mm.has_value(),
+                       layer.exact_width                               ? "exact_width"
+                       : plan.resolved.scene.layers[index].opacity < 1 ? "an opacity below 1"
+                                                                       : "",
                        "scene.layers[" + std::to_string(index) + "].tractogram");
     if (model::drawsUncompressed(quality.fiblet_pipeline)) quality.fiblet_culling = model::FibletCulling::kNone;
     fiblets.pipeline = quality.fiblet_pipeline;
@@ -102,6 +111,13 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     fiblets.cuts = static_cast<std::uint32_t>(layer.cuts.size());
     fiblets.line_width_px = layer.line_width_px;
     fiblets.tube_radius_mm = layer.tube_radius_mm.value_or(0);
+    const bool transparent = plan.resolved.scene.layers[index].opacity < 1;
+    if (fiblets.pipeline != model::FibletPipeline::kAtomic && (fiblets.segments || fiblets.exact_width || transparent)) {
+        throw Error(Code::kUnsupported, "scene.layers[" + std::to_string(index) +
+                                            "] is transparent, has exact_width or shows single segments of fibres, which the "
+                                            "fiblet pipeline atomic draws and " +
+                                            std::string(model::pipelineName(fiblets.pipeline)) + " does not");
+    }
     // The others draw every segment.
     if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);

@@ -16,8 +16,7 @@ layout(constant_id = 4) const bool kSegments = false;  // fiblets none of whose 
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
-    uint first_page;  // in page_order
-    uint page_count;
+    UintBuffer pages;  // to look into, by cull_pages.comp
 } push;
 
 bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
@@ -39,13 +38,9 @@ bool hiddenAlong(FibletLayerParams layer, FibletBox box, vec3 low, vec3 high) {
 }
 
 void main() {
-    if (gl_WorkGroupID.x >= push.page_count) return;
     const FibletLayerParams layer = push.layer.layer;
-    const uint page = UintBuffer(layer.page_order).at[push.first_page + gl_WorkGroupID.x];
+    const uint page = push.pages.at[gl_WorkGroupID.x];
     const FibletPage box = PageBuffer(layer.pages).at[page];
-    if (!visible(layer, box.low, box.high)) return;
-    CountsBuffer counts = CountsBuffer(layer.counts);
-    if (gl_LocalInvocationIndex == 0u) atomicAdd(counts.counts.pages, 1u);
     if (gl_LocalInvocationIndex >= box.count) return;
     const uint fiblet = page * FIBLET_PAGE + gl_LocalInvocationIndex;
     if (kPhase != 0u) {
@@ -53,7 +48,9 @@ void main() {
         if (seen_last != (kPhase == 1u)) return;
     }
     if (kSegments && WordBuffer(layer.segments).at[fiblet] == 0ul) return;
+    const FibletBox own = BoxBuffer(layer.boxes).at[fiblet];
     vec3 low, high;
-    fibletBoxCorners(box, BoxBuffer(layer.boxes).at[fiblet], low, high);
-    if (visible(layer, low, high) && !(kPhase == 2u && hiddenAlong(layer, BoxBuffer(layer.boxes).at[fiblet], low, high))) UintBuffer(layer.list).at[atomicAdd(counts.counts.listed, 1u)] = fiblet;
+    fibletBoxCorners(box, own, low, high);
+    if (!visible(layer, low, high) || (kPhase == 2u && hiddenAlong(layer, own, low, high))) return;
+    UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.listed, 1u)] = fiblet;
 }

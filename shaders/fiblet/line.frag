@@ -14,6 +14,8 @@
 
 layout(constant_id = 2) const uint kCuts = 0u;
 
+layout(constant_id = 9) const bool kSegments = false;  // some segments are left out
+
 layout(push_constant, scalar) uniform Push { LayerBuffer layer; } push;
 
 layout(location = 0) PER_SEGMENT in vec4 from;  // eye points of the ends
@@ -24,6 +26,7 @@ layout(location = 0) out uvec4 words;  // who, depth, tangent, 0
 void main() {
     const FibletView view = push.layer.layer.view;
     if (who == FIBLET_NOBODY) discard;
+    if (kSegments && (WordBuffer(push.layer.layer.segments).at[who >> FIBLET_SEGMENT_BITS] >> (who & FIBLET_SEGMENTS) & 1ul) == 0ul) discard;
     const vec3 way = to.xyz - from.xyz;
     vec4 a = from, b = to;
     if (min(a.z, b.z) < view.near_depth) {
@@ -38,6 +41,9 @@ void main() {
     const float length_px = columns ? along.x : along.y;
     const float passed = columns ? at.x - pixel_a.x : at.y - pixel_a.y;
     const float share = length_px == 0.0 ? 0.0 : clamp(passed / length_px, 0.0, 1.0);
+    // Pixels that the segment does not come near are not of it; see line_end.glsl.
+    const vec2 off = abs(at - mix(pixel_a, pixel_b, share));
+    if (max(off.x, off.y) > 0.5 * view.line_width + 1.5) discard;
     const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
     const vec3 eye = mix(a.xyz, b.xyz, s);
     if (eye.z > view.far_depth) discard;

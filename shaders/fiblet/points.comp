@@ -8,6 +8,8 @@ layout(constant_id = 1) const uint kCuts = 0u;
 layout(constant_id = 2) const bool kSelection = false;  // fibres have states
 layout(constant_id = 3) const bool kTubes = false;      // of selected fibres, which are left out
 
+layout(constant_id = 4) const bool kSegments = false;   // some segments are left out
+
 layout(buffer_reference, scalar) readonly buffer VertexBuffer { FibreVertex at[]; };
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -30,6 +32,10 @@ void main() {
     if (kSelection) {
         const uint state = fibreState(layer, HeadBuffer(layer.heads).at[vertex.who >> FIBLET_SEGMENT_BITS].fibre);
         if (state == FIBRE_HIDDEN || (kTubes && state == FIBRE_SELECTED)) return;
+    }
+    if (kSegments) {
+        const uint64_t shown = WordBuffer(layer.segments).at[vertex.who >> FIBLET_SEGMENT_BITS];
+        if ((shown >> (vertex.who & FIBLET_SEGMENTS) & 1ul) == 0ul) return;
     }
     for (uint i = 0u; i < kCuts; ++i) {
         if (dot(layer.cuts[i].normal, vertex.point) > layer.cuts[i].offset) return;

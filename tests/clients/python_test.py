@@ -103,6 +103,14 @@ class PackageTest(ClientTest):
                 view.update(camera={**CAMERA, "eye_mm": CAMERA["target_mm"]})
             self.assertTrue(next(frame for frame in view if frame.converged).png)
 
+    def test_fibres_are_picked_and_selected(self):
+        picture = {"size": (64, 48), "camera": CAMERA}
+        self.assertEqual(self.client.pick_fibres([(1, 2), (30, 40)], DATASET, **picture), [], "glyphs are no fibres")
+        with self.assertRaisesRegex(radiata.Refused, "outline"):
+            self.client.pick_fibres([], DATASET, **picture)
+        with self.assertRaisesRegex(radiata.Refused, "tractogram"):
+            self.client.select(DATASET, "everything")
+
     def test_unreachable(self):
         with radiata.Client("127.0.0.1:1", timeout=5) as client:
             with self.assertRaises(radiata.Unreachable):

@@ -91,7 +91,7 @@ TEST_F(FibletCulling, CoverageMissesFibresAfterJumpsOnly) {
     faults();
     const auto [still, drawn] = faults();
     EXPECT_LT(still, 0.01);
-    EXPECT_LT(drawn, 0.9);
+    EXPECT_LT(drawn, 0.95);
     request.camera = model::orbit(start, 60, 0);
     const double jumped = faults().first;
     EXPECT_GT(jumped, still);

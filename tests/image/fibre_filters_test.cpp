@@ -92,6 +92,10 @@ TEST_F(FibreFilters, CutByRegions) {
     EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
     request.quality.fiblet_culling = model::FibletCulling::kNone;
     EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
+    // What cannot cut segment by segment says so.
+    request.quality.fiblet_pipeline = model::FibletPipeline::kPoints;
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kUnsupported);
+    request.quality.fiblet_pipeline = model::FibletPipeline::kAuto;
     layer().region_cuts[0].region = "mesh(nobody)";
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kNotFound);
     layer().region_cuts[0].region = "mesh(fibres)";

@@ -1,7 +1,7 @@
 // Every way to draw fibres shows the same ones as the compute shader, up to how lines are put on pixels.
 #include <array>
 #include <cstdlib>
-#include <iostream>
+#include <string>
 
 #include "image/fibre_scenes.h"
 #include "image/fixture.h"
@@ -39,6 +39,9 @@ Differences differences(const model::FramePixels& a, const model::FramePixels& b
 
 class FibrePipelines : public ImageTest {};
 
+/// Lines of the device's rasteriser: at most 4 % of the pixels that show something show another fibre than the compute shader
+/// finds, 2.5 % another point of it, two or more away; among each other, 0.5 % of both. Depths of equal segments agree to 20
+/// um.
 TEST_F(FibrePipelines, ShowTheSameFibres) {
     const glm::dvec3 centre(13, -40, 22);
     store.add("fibres", randomTractogram(7, 40, 200, 0.4, 15, centre));
@@ -60,15 +63,22 @@ TEST_F(FibrePipelines, ShowTheSameFibres) {
         for (const Pipeline pipeline : kByRasteriser) {
             request.quality.fiblet_pipeline = pipeline;
             const model::Frame frame = draw(request);
-            const Differences d = differences(frame.pixels, atomic.pixels), e = differences(frame.pixels, pull.pixels);
-            std::cout << view << " " << model::pipelineName(pipeline) << ": shown " << d.shown << " fibre " << d.fibre
-                      << " point " << d.point << " depth " << d.depth << "; pull: " << e.fibre << " " << e.point << " "
-                      << e.depth << "\n";
+            EXPECT_EQ(frame.info.request.quality.fiblet_pipeline, pipeline);
+            const std::string what = std::string(model::pipelineName(pipeline)) + ", view " + std::to_string(view);
+            const Differences from_atomic = differences(frame.pixels, atomic.pixels);
+            EXPECT_GT(from_atomic.shown, 300) << what;
+            EXPECT_LE(from_atomic.fibre, 0.04 * from_atomic.shown) << what;
+            EXPECT_LE(from_atomic.point, 0.025 * from_atomic.shown) << what;
+            EXPECT_LT(from_atomic.depth, 0.02) << what;
+            const Differences from_pull = differences(frame.pixels, pull.pixels);
+            EXPECT_LE(from_pull.fibre + from_pull.point, 0.005 * from_pull.shown) << what;
         }
+        if (view >= 2) continue;
+        // Points are a pixel apart here: they miss some pixels, and have some that lines pass beside of their centres.
         request.quality.fiblet_pipeline = Pipeline::kPoints;
-        const Differences d = differences(draw(request).pixels, atomic.pixels);
-        std::cout << view << " points: shown " << d.shown << " fibre " << d.fibre << " point " << d.point << " depth "
-                  << d.depth << "\n";
+        const Differences from_atomic = differences(draw(request).pixels, atomic.pixels);
+        EXPECT_LE(from_atomic.fibre, 0.25 * from_atomic.shown);
+        EXPECT_LE(from_atomic.point, 0.025 * from_atomic.shown);
     }
 }
 
@@ -112,7 +122,7 @@ TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
         request.quality.fiblet_pipeline = pipeline;
         const model::Frame frame = draw(request);
         int picked = 0;
-        for (int at = 0; at < 48 * 36; at += 7) {
+        for (int at = 0; at < 48 * 36; at += 17) {
             const std::int32_t* id = &frame.pixels.id[4 * static_cast<std::size_t>(at)];
             const auto answer = renderer.pick(request, at % 48, at / 48);
             ASSERT_EQ(answer.has_value(), id[0] >= 0) << model::pipelineName(pipeline) << " " << at;
@@ -120,7 +130,7 @@ TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
             ++picked;
             EXPECT_EQ(static_cast<std::int32_t>(std::get<model::PickedFibre>(*answer).fibre), id[1]);
         }
-        EXPECT_GT(picked, 20);
+        EXPECT_GT(picked, 10);
     }
 }
 

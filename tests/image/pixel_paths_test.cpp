@@ -87,8 +87,9 @@ TEST_F(PixelPaths, AgreeWithTheReferencePixelByPixel) {
     EXPECT_EQ(info.texels, 48u * 40);
     EXPECT_EQ(info.texels_needed, frame.info.hit_pixels);
     EXPECT_EQ(info.texels_done, info.texels_needed);
-    EXPECT_EQ(info.samples, 256 * info.texels_needed);
-    EXPECT_GT(info.mean_error, 0.001);
+    EXPECT_LE(info.samples, 256 * info.texels_needed);
+    EXPECT_GT(info.samples, 128 * info.texels_needed) << "a few pixels are exact to a thousandth before";
+    EXPECT_GT(info.mean_error, 0.0005);
     EXPECT_LT(info.mean_error, 0.05);
 }
 

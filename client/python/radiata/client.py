@@ -8,7 +8,7 @@ from .errors import Unreachable, translated
 from .frame import Frame
 from .request import enum_value, frame_request, voxel_selection
 from .v1 import (catalog_pb2, catalog_pb2_grpc, frame_pb2, limits_pb2, limits_pb2_grpc, pick_pb2, pick_pb2_grpc, render_pb2,
-                 render_pb2_grpc, scene_pb2)
+                 render_pb2_grpc, scene_pb2, selection_pb2, selection_pb2_grpc)
 from .view import View, picked
 
 # The answer of grpc.health.v1.Health/Check that says SERVING; written out, so that no further package is needed.
@@ -30,6 +30,7 @@ class Client:
         self._catalog = catalog_pb2_grpc.CatalogServiceStub(self._channel)
         self._render = render_pb2_grpc.RenderServiceStub(self._channel)
         self._pick = pick_pb2_grpc.PickServiceStub(self._channel)
+        self._selection = selection_pb2_grpc.SelectionServiceStub(self._channel)
         self._limits = limits_pb2_grpc.LimitsServiceStub(self._channel)
         self._health = self._channel.unary_unary("/grpc.health.v1.Health/Check")
 
@@ -102,6 +103,22 @@ class Client:
         """
         request = pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y, radius_px=radius_px)
         return picked(self._call(self._pick.Pick, request))
+
+    def pick_fibres(self, outline, dataset=None, *, through=False, fibres_max=2**32 - 1, **options):
+        """The fibres within an outline on the picture that render makes with the same options, as PickedFibres messages.
+
+        outline: (x, y) pairs in pixels from the upper left corner, of two the box between them, of one its pixel. One message for
+        each layer of fibres; through=True finds those that others hide, too.
+        """
+        request = pick_pb2.PickFibresRequest(request=self.request(dataset, **options), through=through, fibres_max=fibres_max)
+        for x, y in outline:
+            request.outline.add(x=x, y=y)
+        return list(self._call(self._pick.PickFibres, request).layers)
+
+    def select(self, dataset, selection, fibres_max=2**32 - 1):
+        """The fibres of a tractogram that a selection names (docs/formats/selection.md), as a SelectResponse message."""
+        request = selection_pb2.SelectRequest(dataset_id=dataset, selection=selection, fibres_max=fibres_max)
+        return self._call(self._selection.Select, request)
 
     def stream(self, dataset=None, *, window=None, **options):
         """A live View of a scene: iterate over it for frames, which are acknowledged by themselves."""

@@ -1,10 +1,11 @@
 // The controls of the page: plain selects and inputs of index.html, and the settings that they show and change.
 import { type Dataset, DatasetKind } from "./generated/radiata/v1/catalog_pb";
 import { ColourMap } from "./generated/radiata/v1/colour_pb";
-import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane } from "./generated/radiata/v1/scene_pb";
+import { Annotations_Convention as Convention, GlyphScale_Mode as ScaleMode, Plane, Shadow } from "./generated/radiata/v1/scene_pb";
 import { fibreChoices, fibreColours } from "./scene/fibres";
-import { type Region, type Settings, adapt, colourChoices, isMapped, surfaceChoices } from "./scene/settings";
+import { type Region, type Settings, adapt, colourChoices, isMapped, surfaceChoices, uncertaintyChoices } from "./scene/settings";
 import { type AnatomicalPlane, sliceMm, sliceRange } from "./scene/slices";
+import { isGlobal, isShading } from "./scene/surface";
 
 const kPlanes: Record<string, AnatomicalPlane> = { axial: Plane.AXIAL, coronal: Plane.CORONAL, sagittal: Plane.SAGITTAL };
 const kScales: Record<string, ScaleMode> = { global: ScaleMode.GLOBAL, glyph: ScaleMode.PER_GLYPH };
@@ -15,6 +16,7 @@ const kMaps: Record<string, ColourMap> = {
   "black-red-yellow": ColourMap.BLACK_RED_YELLOW,
   grey: ColourMap.GREY,
 };
+const kShadows: Record<string, Shadow> = { none: Shadow.NONE, hard: Shadow.HARD, soft: Shadow.SOFT };
 const kConventions: Record<string, Convention> = {
   radiological: Convention.RADIOLOGICAL,
   neurological: Convention.NEUROLOGICAL,
@@ -54,9 +56,14 @@ export class Controls {
   private readonly colour = element("colour", HTMLSelectElement);
   private readonly colourMap = element("colour-map", HTMLSelectElement);
   private readonly negative = element("negative", HTMLInputElement);
+  private readonly uncertainty = element("uncertainty", HTMLSelectElement);
+  private readonly shadow = element("shadow", HTMLSelectElement);
+  private readonly occlusion = element("occlusion", HTMLInputElement);
   private readonly surface = element("surface", HTMLSelectElement);
   private readonly isovalue = element("isovalue", HTMLInputElement);
   private readonly surfaceOpacity = element("surface-opacity", HTMLInputElement);
+  private readonly surfaceShading = element("surface-shading", HTMLSelectElement);
+  private readonly surfaceColour = element("surface-colour", HTMLSelectElement);
   private readonly fibres = element("fibres", HTMLSelectElement);
   private readonly fibreColour = element("fibre-colour", HTMLSelectElement);
   private readonly fibreSelection = element("fibre-selection", HTMLInputElement);
@@ -90,9 +97,17 @@ export class Controls {
     on(this.colour, (s) => ({ ...s, colour: this.colour.value }));
     on(this.colourMap, (s) => ({ ...s, colourMap: kMaps[this.colourMap.value] ?? s.colourMap }));
     on(this.negative, (s) => ({ ...s, negativeLobes: this.negative.checked }));
-    on(this.surface, (s) => ({ ...s, surface: this.surface.value, isovalue: null }));
+    on(this.uncertainty, (s) => ({ ...s, uncertainty: this.uncertainty.value }));
+    on(this.shadow, (s) => ({ ...s, shadow: kShadows[this.shadow.value] ?? s.shadow }));
+    on(this.occlusion, (s) => ({ ...s, occlusion: this.occlusion.checked }));
+    on(this.surface, (s) => ({ ...s, surface: this.surface.value, isovalue: null, surfaceColour: "" }));
     on(this.isovalue, (s) => ({ ...s, isovalue: Number.isFinite(this.isovalue.valueAsNumber) ? this.isovalue.valueAsNumber : null }));
     on(this.surfaceOpacity, (s) => ({ ...s, surfaceOpacity: Math.min(1, positive(this.surfaceOpacity, s.surfaceOpacity)) }));
+    on(this.surfaceShading, (s) => {
+      const shading = this.surfaceShading.value;
+      return isShading(shading) ? { ...s, surfaceShading: shading } : s;
+    });
+    on(this.surfaceColour, (s) => ({ ...s, surfaceColour: this.surfaceColour.value }));
     on(this.fibres, (s) => ({ ...s, fibres: { ...s.fibres, datasetId: this.fibres.value, colour: "direction", selection: "" } }));
     on(this.fibreColour, (s) => ({ ...s, fibres: { ...s.fibres, colour: this.fibreColour.value } }));
     on(this.fibreSelection, (s) => ({ ...s, fibres: { ...s.fibres, selection: this.fibreSelection.value.trim() } }));
@@ -145,9 +160,17 @@ export class Controls {
       settings.lmax === null ? "" : String(settings.lmax),
     );
     this.negative.checked = settings.negativeLobes;
+    const images = uncertaintyChoices(dataset, datasets);
+    options(this.uncertainty, [["", "not shown"] as const, ...images.map((image) => [image, image.replace(":", " of ")] as const)], settings.uncertainty);
+    this.shadow.value = nameOf(kShadows, settings.shadow);
+    this.occlusion.checked = settings.occlusion;
     options(this.surface, [["", "none"] as const, ...surfaceChoices(datasets).map((id) => [id, id] as const)], settings.surface);
     this.isovalue.value = settings.isovalue === null ? "" : String(settings.isovalue);
     this.surfaceOpacity.value = String(settings.surfaceOpacity);
+    this.surfaceOpacity.disabled = isGlobal(settings);
+    this.surfaceShading.value = settings.surfaceShading;
+    const volumes = surfaceChoices(datasets).filter((id) => id !== settings.surface);
+    options(this.surfaceColour, [["", "one colour"] as const, ...volumes.map((id) => [id, id] as const)], settings.surfaceColour);
     document.body.dataset.surface = String(settings.surface !== "");
     const tracts = datasets.find(({ id }) => id === settings.fibres.datasetId);
     options(this.fibres, [["", "none"] as const, ...fibreChoices(datasets).map((id) => [id, id] as const)], settings.fibres.datasetId);

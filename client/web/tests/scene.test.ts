@@ -3,9 +3,9 @@ import { create } from "@bufbuild/protobuf";
 import { describe, expect, it } from "vitest";
 import { type Dataset, DatasetKind, DatasetSchema } from "../src/generated/radiata/v1/catalog_pb";
 import { ColourMap } from "../src/generated/radiata/v1/colour_pb";
-import { NegativeLobes, Plane } from "../src/generated/radiata/v1/scene_pb";
+import { NegativeLobes, Plane, Shadow, Uncertainty_Kind as UncertaintyKind } from "../src/generated/radiata/v1/scene_pb";
 import { fibreChoices, fibreColours, noFibres } from "../src/scene/fibres";
-import { adapt, colourChoices, surfaceChoices, defaultSettings, needsNewCamera, scene, selection } from "../src/scene/settings";
+import { adapt, colourChoices, surfaceChoices, defaultSettings, needsNewCamera, scene, selection, uncertaintyChoices } from "../src/scene/settings";
 import { middleSlice, nearestAxes, sliceMm, slicePosition, sliceRange } from "../src/scene/slices";
 
 function dataset(rows: number[], size: number[], bounds?: [number[], number[]]): Dataset {
@@ -114,6 +114,17 @@ describe("settings", () => {
     });
   });
 
+  it("show uncertainty by images of as many voxels, and shadows", () => {
+    const image = (id: string, size: number[]) => create(DatasetSchema, { id, size, kind: DatasetKind.SH_IMAGE });
+    const all = [flipped, image("sd", [91, 109, 91]), image("small", [9, 9, 9])];
+    expect(uncertaintyChoices(flipped, all)).toEqual(["glyphs:sd", "deviations:sd"]);
+    const settings = { ...defaultSettings(flipped), uncertainty: "deviations:sd", shadow: Shadow.SOFT, occlusion: true };
+    const made = scene(settings, flipped);
+    expect(made.layers?.[0]?.content?.value).toMatchObject({ uncertainty: { datasetId: "sd", kind: UncertaintyKind.DEVIATIONS } });
+    expect(made.light).toEqual({ shadow: Shadow.SOFT, ambientOcclusion: {} });
+    expect(adapt(settings, image("sd", [91, 109, 91])).uncertainty).toBe("");
+  });
+
   it("add the isosurface of a volume over the glyphs", () => {
     const volume = create(DatasetSchema, { id: "t1", size: [10, 10, 10], kind: DatasetKind.SCALAR_VOLUME });
     expect(surfaceChoices([flipped, volume])).toEqual(["t1"]);
@@ -123,6 +134,14 @@ describe("settings", () => {
       content: { case: "isosurface", value: { datasetId: "t1" } },
       opacity: 0.4,
     });
+    const lit = scene({ ...settings, surfaceShading: "vicinity", surfaceColour: "fa" }, flipped);
+    expect(lit.layers?.[1]).toEqual({
+      content: { case: "isosurface", value: { datasetId: "t1", colourBy: { imageId: "fa" } } },
+      opacity: 1,
+    });
+    expect(lit.light?.illumination?.bounces).toBe(0);
+    expect(scene({ ...settings, surfaceShading: "full" }, flipped).light?.illumination?.suns).toHaveLength(1);
+    expect(scene({ ...settings, surfaceShading: "phong" }, flipped).light).toBeUndefined();
     expect(scene({ ...settings, isovalue: 30 }, flipped).layers?.[1]?.content?.value).toMatchObject({ isovalue: 30 });
   });
 });

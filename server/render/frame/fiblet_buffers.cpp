@@ -1,6 +1,8 @@
 #include "render/frame/fiblet_buffers.h"
 
 #include <algorithm>
+#include <ranges>
+#include <utility>
 
 #include "gpu/device.h"
 #include "render/frame/fiblet_coverage.h"
@@ -57,6 +59,7 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
     ensureBytes(device, page_order, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kUpload,
                 "fiblet page order");
+    ensureBytes(device, found_pages, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kDevice, "found pages");
     if (size != size_) {
         std::uint32_t pyramid_words = 0;
         level_offsets = levelOffsets(size, pyramid_words);
@@ -98,6 +101,19 @@ void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& vie
     layer.layer = layer_index;
     layer.pyramid_levels = static_cast<std::uint32_t>(level_offsets.size());
     counts() = {};
+}
+
+std::uint32_t FibletBuffers::orderPages(const FibletScene& scene) const {
+    const std::vector<shader::FibletPage>& boxes = scene.pages();
+    const glm::vec3 forward = layer().view.forward;
+    std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const glm::vec3 middle = 0.5F * (boxes[i].low + boxes[i].high), reach = boxes[i].high - middle;
+        order[i] = {glm::dot(forward, middle) - glm::dot(glm::abs(forward), reach), static_cast<std::uint32_t>(i)};
+    }
+    std::ranges::sort(order);
+    std::ranges::copy(std::views::values(order), page_order.as<std::uint32_t>().begin());
+    return static_cast<std::uint32_t>(order.size());
 }
 
 }  // namespace radiata::render

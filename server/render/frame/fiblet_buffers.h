@@ -23,6 +23,7 @@ struct FibletBuffers {
     gpu::Buffer visible;                       ///< one bit per fiblet
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
+    gpu::Buffer found_pages;                   ///< uint[pages]: in which fiblets can be seen
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
@@ -47,6 +48,8 @@ struct FibletBuffers {
     /// Everything that drawing reads. \param view  of this sample
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);
+    /// Pages nearest first by the layer's view, into page_order. \return  how many
+    std::uint32_t orderPages(const FibletScene& scene) const;
 
 private:
     glm::ivec2 size_{0};

@@ -5,6 +5,8 @@
 #include <bit>
 #include <chrono>
 
+#include "gpu/device.h"
+
 namespace radiata::render {
 namespace {
 
@@ -33,6 +35,8 @@ struct MergePush {
     std::uint64_t layer, image, depth;
 };
 
+/// Patches of one draw: llvmpipe of Mesa 25 draws some wrongly of many more.
+constexpr double kPatchesAtOnce = 256;
 /// Vertices of an instance of pull.vert.
 constexpr std::uint32_t kSlotVertices = shader::FIBLET_SEGMENTS + 1;
 /// Workgroups of one draw; every device takes 65,535.
@@ -75,19 +79,22 @@ void FibletLines::begin() {
     if (model::drawsByRasteriser(plan_.pipeline)) run_.recorder.clear(target.fiblet_lines->images);
 }
 
-/// Constants 1 to 7 of all these shaders; see there.
+/// Constants 0 to 9 of all these shaders; see there.
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
     using gpu::ShaderStage;
     const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
     const bool meshes = serial || plan_.pipeline == model::FibletPipeline::kMesh;
-    const std::vector<std::uint32_t> constants{PassRun::kGroup,
-                                               meshes ? (serial ? 1U : 0U) : (listed ? 1U : 0U),
-                                               plan_.cuts,
-                                               plan_.states ? 1U : 0U,
-                                               plan_.tubes ? 1U : 0U,
-                                               std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
-                                               phase,
-                                               counts ? 1U : 0U};
+    const std::vector<std::uint32_t> constants{
+        PassRun::kGroup,
+        meshes ? (serial ? 1U : 0U) : (listed ? 1U : 0U),
+        plan_.cuts,
+        plan_.states ? 1U : 0U,
+        plan_.tubes ? 1U : 0U,
+        std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
+        phase,
+        counts ? 1U : 0U,
+        std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px)),
+        plan_.segments ? 1U : 0U};
     gpu::Assembly assembly{.primitives = gpu::Primitives::kLineStrips, .line_width = static_cast<float>(plan_.line_width_px)};
     std::vector<std::pair<ShaderStage, std::string>> stages;
     switch (plan_.pipeline) {
@@ -131,7 +138,8 @@ void FibletLines::draw(bool listed, std::uint32_t first, std::uint32_t end) {
         const gpu::GraphicsPipeline& drawing = pipeline(0, listed, false);
         while (first < end) {
             run_.checkCancelled();
-            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6)));
+            const double most = plan_.pipeline == model::FibletPipeline::kTessellation ? kPatchesAtOnce : 4e6;
+            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(pace_.fiblets, most)));
             run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, images, gpu::VertexDraw{first, count, 0, 1},
                                     LayerPush{own_.layerAddress()});
             submit(count);
@@ -211,8 +219,9 @@ void FibletLines::strips() {
 
 void FibletLines::points() {
     const FibreVertices& vertices = *run_.list.layers[index_].vertices;
-    const gpu::ComputePipeline& drawing =
-        run_.pipelines.get("fiblet_points", {PassRun::kGroup, plan_.cuts, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U});
+    const gpu::ComputePipeline& drawing = run_.pipelines.get(
+        "fiblet_points",
+        {PassRun::kGroup, plan_.cuts, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
     for (std::uint32_t first = 0; first < vertices.count();) {
         run_.checkCancelled();
         const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 6e4)) * PassRun::kGroup;

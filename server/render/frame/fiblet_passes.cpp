@@ -28,9 +28,12 @@ constexpr std::uint32_t kPagesAtOnce = 16'384;
 struct LayerPush {
     std::uint64_t layer, surface;
 };
-struct CullPush {
-    std::uint64_t layer;
+struct CullPagesPush {
+    std::uint64_t layer, found;
     std::uint32_t first_page, page_count;
+};
+struct CullPush {
+    std::uint64_t layer, pages;
 };
 struct RasterPush {
     std::uint64_t layer;
@@ -72,7 +75,7 @@ public:
             if (plan_.culling == model::FibletCulling::kNone) {
                 drawAll();
             } else if (run_.list.frozen) {
-                step(1, 0, orderPages());
+                step(1, 0, own_.orderPages(scene_));
             } else {
                 drawCulled();
             }
@@ -127,7 +130,7 @@ private:
         if (plan_.culling == model::FibletCulling::kNone) {
             raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
         } else {
-            cull(0, 0, orderPages());
+            cull(0, 0, own_.orderPages(scene_));
             raster(true, 0, own_.counts().listed);
         }
         own_.drawn = own_.counts().listed;
@@ -243,11 +246,17 @@ private:
         // pixel.
         const auto width = static_cast<float>(plan_.line_width_px);
         const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
-        const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_cull", {FibletScene::kPageFiblets, phase, margin, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
-        for (; first < end; first += std::min(end - first, kPagesAtOnce)) {
-            const std::uint32_t count = std::min(end - first, kPagesAtOnce);
-            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, count, 1, 1, CullPush{own_.layerAddress(), first, count});
+        const std::uint32_t tubes = plan_.tubes ? 1 : 0;
+        own_.counts().pages = 0;
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_cull_pages", {PassRun::kGroup, phase, margin, tubes}),
+                               "fiblet cull" + suffix_, PassRun::groups(end - first), 1, 1,
+                               CullPagesPush{own_.layerAddress(), own_.found_pages.address(), first, end - first});
+        submit(0);
+        const gpu::ComputePipeline& pipeline =
+            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, tubes, plan_.segments ? 1U : 0U});
+        for (std::uint32_t page = 0, pages = own_.counts().pages; page < pages; page += std::min(pages - page, kPagesAtOnce)) {
+            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, std::min(pages - page, kPagesAtOnce), 1, 1,
+                                   CullPush{own_.layerAddress(), own_.found_pages.address() + std::uint64_t{4} * page});
         }
         submit(0);
     }
@@ -265,23 +274,8 @@ private:
         }
     }
 
-    /// Pages nearest first, for the second phase. \return  how many
-    std::uint32_t orderPages() {
-        const std::vector<shader::FibletPage>& boxes = scene_.pages();
-        const glm::vec3 forward = own_.layer().view.forward;
-        std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            const glm::vec3 middle = 0.5F * (boxes[i].low + boxes[i].high), reach = boxes[i].high - middle;
-            order[i] = {glm::dot(forward, middle) - glm::dot(glm::abs(forward), reach), static_cast<std::uint32_t>(i)};
-        }
-        std::ranges::sort(order);
-        std::span<std::uint32_t> to = own_.page_order.as<std::uint32_t>();
-        for (std::size_t i = 0; i < order.size(); ++i) to[i] = order[i].second;
-        return static_cast<std::uint32_t>(order.size());
-    }
-
     void drawCulled() {
-        const std::uint32_t pages = orderPages();
+        const std::uint32_t pages = own_.orderPages(scene_);
         own_.drawn = 0;
         if (coverage()) {
             if (!own_.coverage) own_.coverage = std::make_unique<FibletCoverage>();

@@ -11,8 +11,9 @@
 namespace radiata::render {
 namespace {
 
-// One pixel a millimetre. Fibres advance by one pixel with each segment, from a quarter of the first pixel on.
-constexpr int kSize = 80, kMargin = 4, kSegments = kSize - 2 * kMargin;  // more than one fiblet each
+// One pixel a millimetre. Fibres begin and end outside of the picture, as some drivers clip lines to wrong places, and advance
+// by one pixel with each segment.
+constexpr int kSize = 80, kMargin = -6, kSegments = kSize - 2 * kMargin;  // more than one fiblet each
 constexpr float kStart = 0.25F;
 constexpr double kSlope = 0.05;      // of the zigzags
 constexpr double kUndecided = 0.05;  // mm between fibres that cross
@@ -60,11 +61,8 @@ bool latticeIsRight(const model::FramePixels& pixels, double depth_offset) {
     for (int y = 0; y < kSize; ++y) {
         for (int x = 0; x < kSize; ++x) {
             const int column = x - kMargin, row = y - kMargin;
-            if (std::max(column, row) == kSegments) continue;  // fibres end here, before the pixel's centre
-            const bool shown = std::min(column, row) >= 0 && std::max(column, row) < kSegments;
             const std::size_t at = static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x);
-            if ((pixels.id[4 * at] >= 0) != shown) return false;
-            if (!shown) continue;
+            if (pixels.id[4 * at] < 0) return false;
             const double across = heightAt(row, 0, column), along = heightAt(column, 1, row);
             if (std::abs(across - along) < kUndecided) continue;
             const bool first = across < along;

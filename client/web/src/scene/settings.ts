@@ -6,18 +6,21 @@ import {
   Annotations_Convention as Convention,
   type GlyphColourSchema,
   GlyphScale_Mode as ScaleMode,
-  type LayerSchema,
   NegativeLobes,
   Plane,
   type SceneSchema,
+  Shadow,
+  Uncertainty_Kind as UncertaintyKind,
+  type UncertaintySchema,
   type VoxelSelectionSchema,
 } from "../generated/radiata/v1/scene_pb";
 import { type FibreSettings, fibreLayers, noFibres } from "./fibres";
 import { type AnatomicalPlane, middleSlice, slicePosition, sliceRange } from "./slices";
+import { type SurfaceSettings, defaultSurface, surfaceLayers, surfaceLight } from "./surface";
 
 export type Region = "slice" | "slab" | "volume";
 
-export interface Settings {
+export interface Settings extends SurfaceSettings {
   readonly datasetId: string;
   readonly region: Region;
   readonly plane: AnatomicalPlane;
@@ -32,12 +35,11 @@ export interface Settings {
   /** "direction", "radius", or the id of a scalar volume after "scalar:". */
   readonly colour: string;
   readonly colourMap: ColourMap;
-  /** Id of the scalar volume whose isosurface is shown; empty: none. */
-  readonly surface: string;
-  /** null: the value that splits the volume best in two. */
-  readonly isovalue: number | null;
-  readonly surfaceOpacity: number;
   readonly fibres: FibreSettings;
+  /** Id of the SH image that says how uncertain glyphs are, after "glyphs:" or "deviations:" for what it holds; empty: not shown. */
+  readonly uncertainty: string;
+  readonly shadow: Shadow;
+  readonly occlusion: boolean;
   readonly convention: Convention;
 }
 
@@ -54,10 +56,11 @@ export function defaultSettings(dataset: Dataset): Settings {
     negativeLobes: false,
     colour: "direction",
     colourMap: ColourMap.VIRIDIS,
-    surface: "",
-    isovalue: null,
-    surfaceOpacity: 0.4,
+    ...defaultSurface,
     fibres: noFibres,
+    uncertainty: "",
+    shadow: Shadow.NONE,
+    occlusion: false,
     convention: Convention.RADIOLOGICAL,
   };
 }
@@ -72,6 +75,19 @@ export function colourChoices(dataset: Dataset, all: readonly Dataset[]): string
 /** Volumes that have isosurfaces. */
 export const surfaceChoices = (all: readonly Dataset[]): string[] =>
   all.filter(({ kind }) => kind === DatasetKind.SCALAR_VOLUME).map(({ id }) => id);
+
+/** What may say how uncertain a dataset's glyphs are: SH images with as many voxels. */
+export function uncertaintyChoices(dataset: Dataset, all: readonly Dataset[]): string[] {
+  const fitting = all.filter(
+    ({ id, kind, size }) => kind === DatasetKind.SH_IMAGE && id !== dataset.id && size.join() === dataset.size.join(),
+  );
+  return fitting.flatMap(({ id }) => [`glyphs:${id}`, `deviations:${id}`]);
+}
+
+function uncertainty(choice: string): MessageInitShape<typeof UncertaintySchema> {
+  const [kind, datasetId] = choice.split(":");
+  return { datasetId, kind: kind === "deviations" ? UncertaintyKind.DEVIATIONS : UncertaintyKind.GLYPHS };
+}
 
 export const isMapped = (colour: string): boolean => colour !== "direction";
 
@@ -88,6 +104,7 @@ export function adapt(settings: Settings, dataset: Dataset): Settings {
     datasetId: dataset.id,
     slice: middleSlice(sliceRange(dataset, settings.plane)),
     lmax: settings.lmax !== null && settings.lmax > dataset.lmax ? null : settings.lmax,
+    uncertainty: dataset.id !== settings.datasetId ? "" : settings.uncertainty,
     colour: dataset.id !== settings.datasetId && settings.colour.startsWith("scalar:") ? "direction" : settings.colour,
   };
 }
@@ -105,14 +122,8 @@ export function selection(settings: Settings, dataset: Dataset): MessageInitShap
     : { region: { case: "slice", value: slice } };
 }
 
-function surfaceLayer({ surface, isovalue, surfaceOpacity }: Settings): MessageInitShape<typeof LayerSchema> {
-  return {
-    content: { case: "isosurface", value: { datasetId: surface, ...(isovalue !== null && { isovalue }) } },
-    opacity: surfaceOpacity,
-  };
-}
-
 export function scene(settings: Settings, dataset: Dataset): MessageInitShape<typeof SceneSchema> {
+  const illumination = surfaceLight(settings);
   return {
     layers: [
       {
@@ -124,13 +135,21 @@ export function scene(settings: Settings, dataset: Dataset): MessageInitShape<ty
             scale: { mode: settings.scaleMode, factor: settings.scaleFactor },
             ...(settings.lmax !== null && { lmax: settings.lmax }),
             ...(settings.colour !== "direction" && { colour: glyphColour(settings) }),
+            ...(settings.uncertainty !== "" && { uncertainty: uncertainty(settings.uncertainty) }),
             negativeLobes: settings.negativeLobes ? NegativeLobes.SHOWN : NegativeLobes.HIDDEN,
           },
         },
       },
-      ...(settings.surface === "" ? [] : [surfaceLayer(settings)]),
+      ...surfaceLayers(settings),
       ...fibreLayers(settings.fibres),
     ],
+    ...((illumination || settings.shadow !== Shadow.NONE || settings.occlusion) && {
+      light: {
+        ...(illumination && { illumination }),
+        ...(settings.shadow !== Shadow.NONE && { shadow: settings.shadow }),
+        ...(settings.occlusion && { ambientOcclusion: {} }),
+      },
+    }),
     annotations: { convention: settings.convention },
   };
 }
