@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kHeight = 720;
 constexpr double kCloseUp = 15;  // as far as the whole
-constexpr std::size_t kFibresOnGpu = 100'000, kFibresOnCpu = 2000;
+constexpr std::size_t kFibresOnGpu = 100'000, kFibresOnCpu = 5000;
 
 }  // namespace
 
