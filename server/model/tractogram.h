@@ -31,7 +31,7 @@ struct ColumnName {
 /// What is known before any point is read.
 struct TractogramHeader {
     std::string source;  ///< file name for messages
-    std::string format;  ///< "tck", "trk", "trx", "vtk", "vtp", "tt", "fiblet", "memory", ...
+    std::string format;  ///< "tck", "trk", "trx", "vtk", "tt", "fiblet", "memory", ...
     /// As the file says; absent if it does not, and a hint only: some programs write wrong counts.
     std::optional<std::uint64_t> fibre_count, point_count;
     std::vector<ColumnName> vertex_columns, fibre_columns;
