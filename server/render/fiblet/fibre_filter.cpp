@@ -13,13 +13,6 @@
 namespace radiata::render {
 namespace {
 
-template <typename Named>
-std::string names(const std::vector<Named>& all) {
-    std::string list;
-    for (const Named& each : all) list += (list.empty() ? "" : ", ") + each.name;
-    return list.empty() ? "none" : list;
-}
-
 /// Whether each fibre passes the set's conditions.
 std::vector<bool> passing(const model::FibletSet& set, const model::FibreSet& wanted, FibreSelector& selector) {
     const std::size_t count = set.fibres();

@@ -16,13 +16,6 @@
 namespace radiata::render {
 namespace {
 
-template <typename Named>
-std::string names(const std::vector<Named>& all) {
-    std::string list;
-    for (const Named& each : all) list += (list.empty() ? "" : ", ") + each.name;
-    return list.empty() ? "none" : list;
-}
-
 /// Twice 16 bits, as octahedralOf() and packSnorm2x16() of the shaders. \param v  any length but zero
 std::uint32_t packedDirection(const glm::dvec3& v) {
     const double sum = std::abs(v.x) + std::abs(v.y) + std::abs(v.z);

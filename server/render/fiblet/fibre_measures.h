@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -21,5 +22,13 @@ struct FibreSegmentPlace {
 
 /// \param segment  from 0 to the fiblet's segments - 1
 FibreSegmentPlace segmentPlace(const model::FibletSet& set, std::uint32_t fiblet, std::uint32_t segment);
+
+/// The names of columns or groups, for messages.
+template <typename Named>
+std::string names(const std::vector<Named>& all) {
+    std::string list;
+    for (const Named& each : all) list += (list.empty() ? "" : ", ") + each.name;
+    return list.empty() ? "none" : list;
+}
 
 }  // namespace radiata::render
