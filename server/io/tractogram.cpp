@@ -8,6 +8,7 @@
 #include "io/trk.h"
 #include "io/trx.h"
 #include "io/tt.h"
+#include "io/vtp_lines.h"
 
 namespace radiata::io {
 namespace {
@@ -27,17 +28,17 @@ std::unique_ptr<model::TractogramSource> openByName(const std::filesystem::path&
     if (ends(name, ".trx")) return openTrx(path);
     if (ends(name, ".tt") || ends(name, ".tt.gz")) return openTt(path);
     if (ends(name, ".vtk")) return openVtkLines(path, vtk_space);
-    throw Error(
-        Code::kUnsupported,
-        path.filename().string() +
-            ": the name ends as no tractogram's does; .tck, .trk, .trx, .tt, .vtk, and .gz of the first two and .tt are read");
+    if (ends(name, ".vtp")) return openVtpLines(path, vtk_space);
+    throw Error(Code::kUnsupported, path.filename().string() +
+                                        ": the name ends as no tractogram's does; .tck, .trk, .trx, .tt, .vtk, .vtp, and .gz "
+                                        "of the first two and .tt are read");
 }
 
 }  // namespace
 
 bool isTractogramName(const std::filesystem::path& path) {
     const std::string name = lowered(path);
-    constexpr std::string_view kSuffixes[] = {".tck", ".tck.gz", ".trk", ".trk.gz", ".trx", ".tt", ".tt.gz", ".vtk"};
+    constexpr std::string_view kSuffixes[] = {".tck", ".tck.gz", ".trk", ".trk.gz", ".trx", ".tt", ".tt.gz", ".vtk", ".vtp"};
     return std::any_of(std::begin(kSuffixes), std::end(kSuffixes), [&](std::string_view suffix) { return ends(name, suffix); });
 }
 

@@ -129,7 +129,7 @@ std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file
         if (stemOf(folder_or_file).empty()) {
             throw Error(Code::kUnsupported, "data: '" + folder_or_file.string() +
                                                 "' is no image (.nii, .nii.gz, .mif, .mif.gz, .mih, .nrrd, .nhdr), no "
-                                                "environment map (.hdr), no tractogram (.tck, .trk, .trx, .tt, .vtk, "
+                                                "environment map (.hdr), no tractogram (.tck, .trk, .trx, .tt, .vtk, .vtp, "
                                                 ".gz of them, .fiblet) and no mesh (.obj, .stl)");
         }
         files.push_back(folder_or_file);

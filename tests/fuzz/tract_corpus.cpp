@@ -7,6 +7,7 @@
 
 #include "io/tractogram.h"
 #include "unit/io/tract_bytes.h"
+#include "unit/io/vtp_writer.h"
 
 namespace {
 
@@ -65,7 +66,16 @@ void write(const fs::path& folder) {
     seed(folder, "vtk_text", 8, vtkText());
     seed(folder, "vtk_binary", 8, vtkBinary(true));
     seed(folder, "vtk_old", 8, vtkBinary(false));
-    seed(folder, "selection", 9,
+    for (const std::string format : {"ascii", "binary", "appended"}) {
+        for (const bool zlib : {false, true}) {
+            VtpFile vtp;
+            vtp.format = format;
+            vtp.zlib = vtp.raw = vtp.big = zlib;
+            vtp.pieces = zlib ? 2 : 1;
+            seed(folder, "vtp_" + format + (zlib ? "_zlib" : ""), 9, vtpBytes(vtp));
+        }
+    }
+    seed(folder, "selection", 10,
          "any sphere(1,2,3,4) and not (order(mask(a), box(0,0,0,1,1,1)) or column(\"x y\", -inf, 2, least))");
 }
 

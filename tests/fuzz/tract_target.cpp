@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using namespace radiata;
 
-constexpr std::string_view kEndings[] = {".tck", ".trk", ".trx", ".tt", ".tck.gz", ".tt.gz", ".tsf", ".txt", ".vtk"};
+constexpr std::string_view kEndings[] = {".tck", ".trk", ".trx", ".tt", ".tck.gz", ".tt.gz", ".tsf", ".txt", ".vtk", ".vtp"};
 
 /// The folder of this process' input files; removed at exit.
 class Folder {
