@@ -13,15 +13,15 @@ HERE = pathlib.Path(__file__).resolve().parent
 
 
 class Mrview:
-    """mrview with what a comparison shows in it (words()), painted by one grab after the other."""
+    """mrview with what a comparison shows in it (words()), painted by one grab after the other. \\param fov_mm  field of view"""
 
-    def __init__(self, name, size, work):
-        self.name, self.size, self.work = name, size, work
+    def __init__(self, name, size, work, fov_mm):
+        self.name, self.size, self.work, self.fov_mm = name, size, work, fov_mm
         self.counter = work / "paint_counter.so"
         subprocess.run(["g++", "-O2", "-shared", "-fPIC", HERE / "paint_counter.cpp", "-o", self.counter, "-ldl"], check=True)
 
-    def words(self, grabs):
-        """Arguments that load what is shown and grab it so many times."""
+    def words(self):
+        """The image, and options that load what is shown."""
         raise NotImplementedError
 
     def run(self, grabs):
@@ -29,9 +29,12 @@ class Mrview:
         counts = self.work / "paints.txt"
         counts.unlink(missing_ok=True)
         width, height = self.size
-        command = ["xvfb-run", "-a", "-s", f"-screen 0 {width + 1100}x{height + 700}x24", "mrview", "-noannotations",
-                   "-size", f"{width},{height}", "-plane", "2", "-capture.folder", self.work, "-capture.prefix", "mrview",
-                   *map(str, self.words(grabs)), "-exit"]
+        command = ["xvfb-run", "-a", "-s", f"-screen 0 {width + 1100}x{height + 700}x24", "mrview", *map(str, self.words()),
+                   "-noannotations", "-size", f"{width},{height}", "-plane", "2", "-capture.folder", self.work,
+                   "-capture.prefix", "mrview"]
+        for i in range(grabs):
+            command += ["-fov", str(self.fov_mm + 0.1 * i), "-capture.grab"]
+        command.append("-exit")
         environment = {**os.environ, "PAINT_COUNTER": str(counts), "LD_PRELOAD": str(self.counter)}
         start = time.monotonic()
         done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=900)
@@ -39,7 +42,7 @@ class Mrview:
         draws = [int(line) for line in counts.read_text().split()] if counts.exists() else []
         if done.returncode != 0 or not draws:
             sys.exit(f"{self.name}: mrview ended with {done.returncode} after {len(draws)} paints: {done.stderr.strip()[-500:]}")
-        return seconds, [d for d in draws if d > 0.9 * max(draws)], max(draws)
+        return seconds, [d for d in draws if d > 0.8 * max(draws)], max(draws)
 
     def frame(self):
         """\\return seconds a frame, by the difference of two runs, and the draws of a paint"""
