@@ -74,16 +74,20 @@ grpc::ServerUnaryReactor* CatalogService::FitCamera(Context*, const Bytes* reque
         checkSelection(message.dataset_id(), selection);
         // The renderer knows what a selection covers, and only its own thread may ask it; that the dataset is there when it
         // does is for others to see to.
-        loads_.post([this, call, selection, convention, aspect, id = message.dataset_id()] {
+        const auto fit = [this, call, selection, convention, aspect, id = message.dataset_id()] {
+            answerWith(call, [&] {
+                v1::FitCameraResponse answer;
+                *answer.mutable_camera() = toProto(conductor_.backend().fit_camera(id, selection, convention, aspect));
+                return answer;
+            });
+        };
+        model::FrameRequest probe;
+        probe.scene.layers.emplace_back().glyphs().dataset_id = message.dataset_id();
+        if (conductor_.backend().resident(probe)) return conductor_.post(fit);
+        loads_.post([this, call, fit, probe] {
             try {
-                conductor_.backend().info(id);
-                conductor_.post([this, call, selection, convention, aspect, id] {
-                    answerWith(call, [&] {
-                        v1::FitCameraResponse answer;
-                        *answer.mutable_camera() = toProto(conductor_.backend().fit_camera(id, selection, convention, aspect));
-                        return answer;
-                    });
-                });
+                conductor_.backend().load(probe);
+                conductor_.post(fit);
             } catch (...) {
                 call->refuse(currentStatus());
             }

@@ -13,19 +13,17 @@ grpc::ServerUnaryReactor* ViewService::Update(Context*, const Bytes* request, By
     return unaryCall<v1::UpdateRequest>(request, response, [this](UnaryCall* call, const v1::UpdateRequest& message) {
         const std::uint64_t view = ids_.find(message.view_id());
         const session::Change change = fromProto(message);
-        if (!change.scene) {
+        model::FrameRequest probe;
+        if (change.scene) probe.scene = *change.scene;
+        if (!change.scene || conductor_.backend().resident(probe)) {
             conductor_.update(view, change);
             call->answer(v1::UpdateResponse());
             return;
         }
-        // A scene may name a dataset that is not there: that is found out before the view is touched, and may read a file.
-        worker_.post([this, call, view, change] {
+        // A dataset that turns out to be broken is found out before the view is touched.
+        worker_.post([this, call, view, change, probe] {
             try {
-                for (const model::Layer& layer : change.scene->layers) {
-                    conductor_.backend().info(layer.datasetId());
-                    if (!layer.ifGlyphs() || layer.glyphs().colour.mode != model::ColourMode::kScalar) continue;
-                    conductor_.backend().info(layer.glyphs().colour.image_id);
-                }
+                conductor_.backend().load(probe);
                 conductor_.update(view, change);
             } catch (...) {
                 call->refuse(currentStatus());

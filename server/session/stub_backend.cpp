@@ -149,7 +149,10 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
         lookUp(id);
         throw Error(Code::kInvalidArgument, "dataset \"" + id + "\" is no tractogram");
     };
-    backend.resident = [](const model::FrameRequest&) { return true; };
+    backend.resident = [](const model::FrameRequest& request) {
+        for (const model::Layer& layer : request.scene.layers) lookUp(layer.datasetId());
+        return true;
+    };
     backend.load = [](const model::FrameRequest&) {};
     backend.device = "stub";
     return backend;

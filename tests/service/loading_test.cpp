@@ -22,7 +22,9 @@ struct Large {
 
     session::Backend backend(bool broken = false) {
         session::Backend backend = session::stubBackend(milliseconds(1));
-        backend.resident = [this](const model::FrameRequest& request) { return !wanted(request) || there; };
+        backend.resident = [known = backend.resident, this](const model::FrameRequest& request) {
+            return wanted(request) ? there.load() : known(request);
+        };
         backend.load = [this, broken](const model::FrameRequest&) {
             ++loads;
             opened.wait();
