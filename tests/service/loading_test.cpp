@@ -77,6 +77,29 @@ TEST(Loading, OtherViewsAndPicturesGoOn) {
     EXPECT_TRUE(picture.get().ok());
 }
 
+TEST(Loading, ScenesOfWhatIsThereChangeWhileAllReadersAreBusy) {
+    Large large;
+    Rig rig(large.backend());
+    const auto wish = [](const v1::FrameRequest& frame, float red) {
+        v1::UpdateRequest update;
+        *update.mutable_scene() = frame.scene();
+        update.mutable_scene()->mutable_background()->set_x(red);
+        return update;
+    };
+    std::vector<std::unique_ptr<Viewer>> viewers;
+    std::vector<std::future<grpc::Status>> waiting;
+    for (int i = 0; i < 4; ++i) {
+        Viewer& viewer = *viewers.emplace_back(std::make_unique<Viewer>(rig.channel(), frameRequest()));
+        ASSERT_TRUE(viewer.waitFor(any));
+        waiting.push_back(std::async(std::launch::async, [&] { return viewer.update(wish(largeRequest(), 0)); }));
+    }
+    while (large.loads < 2) std::this_thread::sleep_for(milliseconds(1));
+    Viewer other(rig.channel(), frameRequest());
+    EXPECT_TRUE(other.update(wish(frameRequest(), 0.5F)).ok());
+    large.gate.set_value();
+    for (auto& status : waiting) EXPECT_TRUE(status.get().ok());
+}
+
 TEST(Loading, ABrokenFileEndsTheViewWithItsSentence) {
     Large large;
     Rig rig(large.backend(true));
