@@ -151,7 +151,9 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
             fs::create_directories(cache, failure);
             if (failure) throw Error(Code::kUnavailable, cache.string() + ": cannot be made (" + failure.message() + ")");
             // A folder that is full is not helped by what is left there for the next start.
-            ingest::convertToFiblets(open, kept.filename().string(), kept, {.keep_unfinished = false}, {}, say);
+            ingest::ConversionOptions conversion;
+            conversion.keep_unfinished = false;
+            ingest::convertToFiblets(open, kept.filename().string(), kept, conversion, {}, say);
             if (auto set = readKept(kept, log)) {
                 set->source = path.filename().string();
                 say(summary(*set));
