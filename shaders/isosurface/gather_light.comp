@@ -4,10 +4,10 @@
 // Source: Wyman et al. 2006, Sec. 4.2.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/hit_point.glsl"
 #include "shaders/isosurface/texel_weights.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 2) const bool kSettled = false;  // texels must be as exact as a picture at rest wants them
 layout(constant_id = 3) const bool kProjected = false;  // they are lit on the shown surface
 
@@ -38,7 +38,7 @@ void main() {
     const FrameParams frame = push.frame.frame;
     const IsosurfaceParams layer = push.layer.layer;
     const LatticeParams lattice = push.lattice.lattice;
-    const uint pixel = gl_GlobalInvocationID.x;
+    const uint pixel = globalInvocation();
     if (pixel >= frame.width * frame.height) return;
     if (push.surface.at[pixel].who == 0xffffffffu || (push.surface.at[pixel].layer_and_steps >> 24u) != layer.layer) return;
     const GridPoint point = hitPoint(frame, layer, pixel, push.surface.at[pixel].depth);
