@@ -174,7 +174,7 @@ Memory memoryOf(LightBench& bench, const model::FrameRequest& wanted) {
 
 Report illuminationMemory(gpu::Device& device, const Options& options) {
     Report report;
-    const double dense_texels = double{kEngine.x} * kEngine.y * kEngine.z;
+    const double dense_texels = static_cast<double>(kEngine.x) * kEngine.y * kEngine.z;
     Table table{"MiB of texels, 110x208x149 voxels as the paper's engine block",
                 {"isosurface", "texels keep", "bytes a texel", "dense, light", "one view", "six views", "of dense light"},
                 {}};
