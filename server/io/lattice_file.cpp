@@ -15,9 +15,9 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 
 /// The first byte is no text, and the line ends show a transfer that changed them.
 constexpr std::array<unsigned char, 8> kMagic{0x89, 'L', 'A', 'T', 'T', 'C', '\r', '\n'};
-constexpr std::uint32_t kVersion = 1;
+constexpr std::uint32_t kVersion = 2;
 constexpr std::uint32_t kKeyMax = 65536, kPayloadMax = 4096;
-constexpr std::size_t kTexels = 512;
+constexpr std::size_t kTexels = kTexelsPerBrick;
 /// A texel's numbers differ from their neighbours' in most bits; more effort than the least finds little more.
 constexpr int kEffort = 1;
 
@@ -112,7 +112,7 @@ LatticeReader::LatticeReader(const std::filesystem::path& path) : file_(path, Pa
     if (head.magic != kMagic) throw Error(Code::kCorrupt, file_.name() + ": is no saved illumination lattice");
     if (head.version != kVersion) {
         throw Error(Code::kUnsupported, file_.name() + ": a saved lattice of version " + std::to_string(head.version) +
-                                            "; this program knows version 1");
+                                            "; this program knows version " + std::to_string(kVersion));
     }
     if (head.key_bytes > kKeyMax || head.payload_bytes < 4 || head.payload_bytes > kPayloadMax || head.payload_bytes % 4 != 0) {
         throw Error(Code::kCorrupt, file_.name() + ": its header says " + std::to_string(head.payload_bytes) +

@@ -13,17 +13,19 @@
 
 namespace radiata::io {
 
+constexpr std::size_t kTexelsPerBrick = 64;  ///< 4^3
+
 /// What a file says about itself. Two lattices with equal keys keep the same numbers.
 struct LatticeHeader {
     std::string key;                  ///< in words: volume, settings and, of irradiance, the light
     std::uint32_t payload_bytes = 0;  ///< of one texel, 4 to 4096, a multiple of 4
-    std::uint64_t bricks = 0;         ///< of 8^3 texels, that the file holds
+    std::uint64_t bricks = 0;         ///< of kTexelsPerBrick texels, that the file holds
     bool operator==(const LatticeHeader&) const = default;
 };
 
-/// Some bricks of a lattice: for each its number, then 512 states and 512 payloads.
+/// Some bricks of a lattice: for each its number, then as many states and payloads as a brick has texels.
 struct LatticePart {
-    static constexpr std::size_t kBricksMax = 64;
+    static constexpr std::size_t kBricksMax = 512;
     std::vector<std::uint32_t> bricks;  ///< 1 to kBricksMax
     std::vector<std::uint32_t> states;  ///< shader::LatticeParams says what they mean
     std::vector<std::byte> payloads;

@@ -26,6 +26,15 @@ public:
         return glm::normalize(sum);
     }
 
+    /// Evenly from the cone around axis: directions of the whole sphere's cap, turned onto the axis by a reflection.
+    glm::dvec3 coneDirection(const glm::dvec3& axis, double cosine) {
+        const double z = 1 - (1 - cosine) * uniform_(random_), phi = 2 * std::numbers::pi * uniform_(random_);
+        const double r = std::sqrt(std::max(1 - z * z, 0.0));
+        const glm::dvec3 d(r * std::cos(phi), r * std::sin(phi), axis.z > 0 ? -z : z);
+        const glm::dvec3 mirror = glm::normalize(axis - glm::dvec3(0, 0, axis.z > 0 ? -1 : 1));
+        return d - 2 * glm::dot(mirror, d) * mirror;
+    }
+
 private:
     std::mt19937_64 random_;
     std::uniform_real_distribution<double> uniform_;
@@ -40,13 +49,28 @@ std::optional<glm::dvec3> liftOff(const ScalarField& field, double iso, const gl
     return std::nullopt;
 }
 
-double pointIrradiance(const ScalarField& field, double iso, const glm::dvec3& p, const glm::dvec3& n, const Lights& lights) {
+double pointIrradiance(const ScalarField& field, double iso, const glm::dvec3& p, const glm::dvec3& n, const Lights& lights,
+                       double step) {
     double sum = 0;
     for (const Lights::Point& light : lights.points) {
         const glm::dvec3 towards = light.position - p;
         const double squared = glm::dot(towards, towards), distance = std::sqrt(squared);
         const double cosine = glm::dot(towards, n) / distance;
-        if (cosine > 0 && !field.firstCrossing(p, towards / distance, distance, iso)) sum += light.intensity * cosine / squared;
+        if (cosine > 0 && !field.firstCrossing(p, towards / distance, distance, iso, step))
+            sum += light.intensity * cosine / squared;
+    }
+    return sum;
+}
+
+double discIrradiance(const ScalarField& field, double iso, const glm::dvec3& p, const glm::dvec3& n, const Lights& lights,
+                      double step, Sampler& sampler) {
+    double sum = 0;
+    for (const Lights::Disc& disc : lights.discs) {
+        const glm::dvec3 d = sampler.coneDirection(disc.direction, disc.cosine);
+        const double cosine = glm::dot(d, n), sine2 = 1 - disc.cosine * disc.cosine;
+        if (cosine <= 0 || field.firstCrossing(p, d, kFar, iso, step)) continue;
+        // Radiance irradiance / (pi sin^2), over a solid angle of 2 pi (1 - cos).
+        sum += disc.irradiance / (std::numbers::pi * sine2) * 2 * std::numbers::pi * (1 - disc.cosine) * cosine;
     }
     return sum;
 }
@@ -78,10 +102,10 @@ private:
     std::uint64_t paths_ = 0;
 };
 
-/// Follows paths; at(k, p, n) for the k-th surface point met (0: the first), escaped(k, d) if the k-th point's ray left.
+/// Follows paths; at(k, p, n, ...) for the k-th surface point met (0: the first), escaped(k, d) if the k-th point's ray left.
 template <typename At, typename Escaped>
 PathMeans follow(const ScalarField& field, double iso, const glm::dvec3& start, int bounces, int paths, std::uint64_t seed,
-                 std::size_t values, const At& at, const Escaped& escaped) {
+                 double step, std::size_t values, const At& at, const Escaped& escaped) {
     Sampler sampler(seed);
     Sums sums(values);
     std::uint64_t buried = 0;
@@ -95,9 +119,9 @@ PathMeans follow(const ScalarField& field, double iso, const glm::dvec3& start, 
                 ++buried;
                 break;
             }
-            at(k, *from, n, found);
+            at(k, *from, n, sampler, found);
             const glm::dvec3 d = sampler.cosineDirection(n);
-            const std::optional<double> t = field.firstCrossing(*from, d, kFar, iso);
+            const std::optional<double> t = field.firstCrossing(*from, d, kFar, iso, step);
             if (!t) {
                 escaped(k, d, found);
                 break;
@@ -114,11 +138,12 @@ PathMeans follow(const ScalarField& field, double iso, const glm::dvec3& start, 
 }  // namespace
 
 PathMeans irradianceByBounce(const ScalarField& field, double iso, const glm::dvec3& p, const Lights& lights, int bounces,
-                             int paths, std::uint64_t seed) {
+                             int paths, std::uint64_t seed, double step) {
     return follow(
-        field, iso, p, bounces, paths, seed, static_cast<std::size_t>(bounces + 1),
-        [&](int k, const glm::dvec3& from, const glm::dvec3& n, std::vector<double>& found) {
-            if (!lights.points.empty()) found[static_cast<std::size_t>(k)] += pointIrradiance(field, iso, from, n, lights);
+        field, iso, p, bounces, paths, seed, step, static_cast<std::size_t>(bounces + 1),
+        [&](int k, const glm::dvec3& from, const glm::dvec3& n, Sampler& sampler, std::vector<double>& found) {
+            found[static_cast<std::size_t>(k)] +=
+                pointIrradiance(field, iso, from, n, lights, step) + discIrradiance(field, iso, from, n, lights, step, sampler);
         },
         [&](int k, const glm::dvec3& d, std::vector<double>& found) {
             if (lights.sky) found[static_cast<std::size_t>(k)] += std::numbers::pi * lights.sky(d);
@@ -138,8 +163,8 @@ PathMeans transferByBounce(const ScalarField& field, double iso, const glm::dvec
         }
     }
     return follow(
-        field, iso, p, static_cast<int>(orders.size()) - 1, paths, seed, first.back(),
-        [](int, const glm::dvec3&, const glm::dvec3&, std::vector<double>&) {},
+        field, iso, p, static_cast<int>(orders.size()) - 1, paths, seed, 0.1, first.back(),
+        [](int, const glm::dvec3&, const glm::dvec3&, Sampler&, std::vector<double>&) {},
         [&](int k, const glm::dvec3& d, std::vector<double>& found) {
             const auto bounce = static_cast<std::size_t>(k);
             for (std::size_t i = first[bounce]; i < first[bounce + 1]; ++i) {

@@ -70,6 +70,20 @@ double ScalarField::sample(int x, int y, int z) const {
     return values_[static_cast<std::size_t>((z * size_.y + y) * size_.x + x)];
 }
 
+double ScalarField::extended(glm::ivec3 at) const {
+    for (int axis = 0; axis < 3; ++axis) {
+        const int last = size_[axis] - 1;
+        if ((at[axis] >= 0 && at[axis] <= last) || last == 0) continue;
+        // From the two samples that are nearest along this axis, each extended along the others.
+        const int face = at[axis] < 0 ? 0 : last, inner = at[axis] < 0 ? 1 : last - 1, steps = std::abs(at[axis] - face);
+        glm::ivec3 one = at, other = at;
+        one[axis] = face;
+        other[axis] = inner;
+        return (1 + steps) * extended(one) - steps * extended(other);
+    }
+    return sample(at.x, at.y, at.z);
+}
+
 bool ScalarField::holds(const glm::dvec3& p) const {
     return p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x <= size_.x - 1 && p.y <= size_.y - 1 && p.z <= size_.z - 1;
 }
@@ -119,7 +133,7 @@ double ScalarField::splineValue(const glm::dvec3& p) const {
     for (int n = 0; n < 64; ++n) {
         const int i = n & 3, j = n >> 2 & 3, k = n >> 4;
         sum += x.weight[static_cast<std::size_t>(i)] * y.weight[static_cast<std::size_t>(j)] *
-               z.weight[static_cast<std::size_t>(k)] * sample(x.first + i, y.first + j, z.first + k);
+               z.weight[static_cast<std::size_t>(k)] * extended({x.first + i, y.first + j, z.first + k});
     }
     return sum;
 }
@@ -130,7 +144,7 @@ glm::dvec3 ScalarField::splineGradient(const glm::dvec3& p) const {
     for (std::size_t n = 0; n < 64; ++n) {
         const std::size_t i = n & 3U, j = n >> 2U & 3U, k = n >> 4U;
         const double value =
-            sample(x.first + static_cast<int>(i), y.first + static_cast<int>(j), z.first + static_cast<int>(k));
+            extended({x.first + static_cast<int>(i), y.first + static_cast<int>(j), z.first + static_cast<int>(k)});
         sum += value * glm::dvec3(x.slope[i] * y.weight[j] * z.weight[k], x.weight[i] * y.slope[j] * z.weight[k],
                                   x.weight[i] * y.weight[j] * z.slope[k]);
     }

@@ -31,7 +31,8 @@ public:
     /// Of value(), per voxel, in the cell that floor(p) is in (the last one along an axis at its end).
     glm::dvec3 gradient(const glm::dvec3& p) const;
     /// The cubic B-spline with the samples as coefficients, by the recursion of Cox and de Boor, and its gradient per voxel, by
-    /// differences of quadratic ones; samples outside repeat the border's. Source: Wyman et al. 2006, Sec. 4.1.1.
+    /// differences of quadratic ones; outside, samples go on by straight lines through the two at the border. Source: Wyman et
+    /// al. 2006, Sec. 4.1.1.
     double splineValue(const glm::dvec3& p) const;
     glm::dvec3 splineGradient(const glm::dvec3& p) const;
     /// Points where values are lower. \return unit, or 0 where the smoothed gradient vanishes
@@ -56,6 +57,7 @@ private:
     glm::ivec3 size_;
     std::vector<double> values_;
     double sample(int x, int y, int z) const;
+    double extended(glm::ivec3 at) const;
     glm::ivec3 cellOf(const glm::dvec3& p) const;
     std::array<double, 8> cornersOf(const glm::ivec3& cell) const;
 };

@@ -48,14 +48,24 @@ vec4 splineSlopes(float x) {
     return vec4(-0.5 * y * y, (1.5 * x - 2.0) * x, (-1.5 * x + 1.0) * x + 0.5, 0.5 * x * x);
 }
 
-// Per grid unit, of the cubic B-spline; samples beyond the volume are those of its faces. Where one of the 64 has no number the
+// In a cell at the volume's face the fourth sample is beyond it. It goes on as the two before it do, by a straight line, so linear
+// fields have their gradient everywhere; with the face's own sample instead, normals there would lean inwards. \param weights  changed
+// so that the sample beyond counts no more
+vec4 faceWeights(vec4 weights, int cell, int size) {
+    if (cell == 0) weights = vec4(0.0, weights.y + 2.0 * weights.x, weights.z - weights.x, weights.w);
+    if (cell == size - 2) weights = vec4(weights.x, weights.y - weights.w, weights.z + 2.0 * weights.w, 0.0);
+    return weights;
+}
+
+// Per grid unit, of the cubic B-spline. Where one of the 64 has no number the
 // trilinear gradient is taken. \param cell, at  the point is cell + at, at in [0, 1]^3, and the cell's corners are numbers
 vec3 splineGradient(VolumeParams volume, ivec3 cell, vec3 at) {
     float c[8];
     cellCorners(volume, cell, 0.0, c);
     const float middle = c[0];  // weights of slopes add up to 0, so subtracting it changes nothing but the rounding
-    const vec4 wx = splineWeights(at.x), wy = splineWeights(at.y), wz = splineWeights(at.z);
-    const vec4 sx = splineSlopes(at.x), sy = splineSlopes(at.y), sz = splineSlopes(at.z);
+    const vec4 wx = faceWeights(splineWeights(at.x), cell.x, volume.size.x), sx = faceWeights(splineSlopes(at.x), cell.x, volume.size.x);
+    const vec4 wy = faceWeights(splineWeights(at.y), cell.y, volume.size.y), sy = faceWeights(splineSlopes(at.y), cell.y, volume.size.y);
+    const vec4 wz = faceWeights(splineWeights(at.z), cell.z, volume.size.z), sz = faceWeights(splineSlopes(at.z), cell.z, volume.size.z);
     const ivec4 i = clamp(cell.x + ivec4(-1, 0, 1, 2), 0, volume.size.x - 1);
     vec3 gradient = vec3(0.0);
     bool complete = true;

@@ -24,8 +24,9 @@ void main() {
     if (coverage == 0u) return;
     const uint brick = push.bricks.at[place / TEXELS_PER_BRICK], in_brick = place % TEXELS_PER_BRICK;
     const uint row = uint(lattice.brick_size.x), plane = row * uint(lattice.brick_size.y);
-    const uvec3 corner = 8u * uvec3(brick % row, (brick % plane) / row, brick / plane);
-    const ivec3 texel = ivec3(corner + uvec3(in_brick & 7u, (in_brick >> 3u) & 7u, in_brick >> 6u));
+    const uvec3 corner = TEXEL_BRICK_EDGE * uvec3(brick % row, (brick % plane) / row, brick / plane);
+    const uvec3 in_row = uvec3(in_brick, in_brick >> TEXEL_BRICK_SHIFT, in_brick >> (2 * TEXEL_BRICK_SHIFT));
+    const ivec3 texel = ivec3(corner + (in_row & (TEXEL_BRICK_EDGE - 1u)));
     if (any(greaterThanEqual(texel, lattice.size))) return;
     const uint number = atomicAdd(push.items.count, 1u);
     if (number >= push.capacity) return;

@@ -9,10 +9,12 @@
 #include "shaders/isosurface/texel_weights.glsl"
 
 layout(constant_id = 2) const bool kSettled = false;  // texels must be as exact as a picture at rest wants them
+layout(constant_id = 3) const bool kProjected = false;  // they are lit on the shown surface
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer LayerBuffer { IsosurfaceParams layer; };
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
+layout(buffer_reference, scalar, buffer_reference_align = 8) readonly buffer TexelLights { uint64_t at[]; };
 layout(buffer_reference, scalar) writeonly buffer GlobalLightBuffer { vec3 at[]; };
 
 layout(push_constant, scalar) uniform Push {
@@ -22,27 +24,26 @@ layout(push_constant, scalar) uniform Push {
     LatticeBuffer lattice;
     GlobalLightBuffer light;
     TexelWords lacking;    // set to 1 if some pixel needs a texel that is not there, or not as exact as a picture at rest wants it
-    float relative_error;  // that it wants
-    uint samples_max;
-    uint samples_least;
 } push;
 
-bool isDone(uint state) {
-    const uint samples = 1u << (((state >> TEXEL_STAGE_SHIFT) & TEXEL_STAGE_MASK) - 1u);
-    return samples >= push.samples_max || (samples >= push.samples_least && unpackHalf2x16(state).x <= push.relative_error);
+// Outward as texels' normals are: the surface buffer's normal faces the viewer instead.
+vec3 outward(VolumeParams volume, GridPoint point, vec3 normal) {
+    float c[8];
+    cellCorners(volume, point.cell, 0.0, c);
+    return dot(worldGradient(volume, cellGradient(c, clamp(point.at, 0.0, 1.0))), normal) > 0.0 ? -normal : normal;
 }
 
 void main() {
+    // What all pixels read comes before the first branch: a CPU driver reads it once for all lanes there, else for each.
     const FrameParams frame = push.frame.frame;
+    const IsosurfaceParams layer = push.layer.layer;
+    const LatticeParams lattice = push.lattice.lattice;
     const uint pixel = globalInvocation();
     if (pixel >= frame.width * frame.height) return;
-    const IsosurfaceParams layer = push.layer.layer;
-    const Surface surface = push.surface.at[pixel];
-    if (surface.who == 0xffffffffu || (surface.layer_and_steps >> 24u) != layer.layer) return;
-    const LatticeParams lattice = push.lattice.lattice;
-    const GridPoint point = hitPoint(frame, layer, pixel, surface.depth);
+    if (push.surface.at[pixel].who == 0xffffffffu || (push.surface.at[pixel].layer_and_steps >> 24u) != layer.layer) return;
+    const GridPoint point = hitPoint(frame, layer, pixel, push.surface.at[pixel].depth);
     const TexelWindow window = texelWindow(lattice, point, layer.isovalue);
-    const vec3 normal = lattice.projected != 0u ? outwardNormal(lattice.volume, point) : vec3(0.0);
+    const vec3 normal = kProjected ? outward(lattice.volume, point, push.surface.at[pixel].normal) : vec3(0.0);
     vec3 sum = vec3(0.0);
     float total = 0.0;
     bool lacking = false;
@@ -59,13 +60,13 @@ void main() {
         lacking = lacking || slot == 0u;
         if (slot == 0u) continue;
         const uint place = (slot - 1u) * TEXELS_PER_BRICK + placeInBrick(texel);
-        const uvec2 shown = TexelPairs(lattice.shown + uint64_t(place) * 8ul).at[0];
+        const uvec2 shown = unpackUint2x32(TexelLights(lattice.shown + uint64_t(place) * 8ul).at[0]);  // in one load
         if ((shown.y & TEXEL_SHOWN_LIT) == 0u) {
             lacking = lacking || (shown.x & TEXEL_SHOWN_EMPTY) == 0u;
             continue;
         }
-        if (kSettled) lacking = lacking || !isDone(wordsAt(lattice.state, place, 1u).at[0]);
-        if (lattice.projected != 0u) {
+        if (kSettled) lacking = lacking || (shown.x & TEXEL_SHOWN_DONE) == 0u;
+        if (kProjected) {
             const float agreement = max(dot(normal, shownNormal(shown)), 0.0);
             weight *= agreement * agreement + 1e-3;
         }

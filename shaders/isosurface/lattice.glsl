@@ -19,8 +19,8 @@ uint brickOf(LatticeParams lattice, ivec3 texel) {
     return uint(brick.x + lattice.brick_size.x * (brick.y + lattice.brick_size.y * brick.z));
 }
 uint placeInBrick(ivec3 texel) {
-    const ivec3 at = texel & 7;
-    return uint(at.x + 8 * (at.y + 8 * at.z));
+    const ivec3 at = texel & int(TEXEL_BRICK_EDGE - 1u);
+    return uint(at.x | (at.y << TEXEL_BRICK_SHIFT) | (at.z << (2 * TEXEL_BRICK_SHIFT)));
 }
 uint numberOf(LatticeParams lattice, ivec3 texel) {
     return uint(texel.x) + uint(lattice.size.x) * (uint(texel.y) + uint(lattice.size.y) * uint(texel.z));
@@ -89,12 +89,19 @@ vec3 payloadIrradiance(LatticeParams lattice, TexelWords payload, bool transfer,
     return storage == TEXELS_FLOAT16 ? halfIrradiance(lattice, payload) : floatIrradiance(lattice, payload);
 }
 
-uvec2 packShown(vec3 radiance, vec3 normal) {
+// Whether a texel of this state needs no more paths.
+bool texelDone(LatticeParams lattice, uint state) {
+    const uint samples = 1u << (((state >> TEXEL_STAGE_SHIFT) & TEXEL_STAGE_MASK) - 1u);
+    return samples >= lattice.samples_max || (samples >= lattice.samples_least && unpackHalf2x16(state).x <= lattice.relative_error);
+}
+
+uvec2 packShown(vec3 radiance, vec3 normal, bool done) {
     const vec3 clamped = clamp(radiance, 0.0, 65000.0);
     const uint octahedral = packSnorm4x8(vec4(octahedralOf(normal), 0.0, 0.0)) & 0xffffu;
-    return uvec2(packHalf2x16(clamped.xy), (packHalf2x16(vec2(clamped.z, 0.0)) & 0x7fffu) | TEXEL_SHOWN_LIT | (octahedral << 16u));
+    return uvec2((packHalf2x16(clamped.xy) & 0x7fff7fffu) | (done ? TEXEL_SHOWN_DONE : 0u),
+                 (packHalf2x16(vec2(clamped.z, 0.0)) & 0x7fffu) | TEXEL_SHOWN_LIT | (octahedral << 16u));
 }
-vec3 shownRadiance(uvec2 shown) { return vec3(unpackHalf2x16(shown.x), unpackHalf2x16(shown.y & 0x7fffu).x); }
+vec3 shownRadiance(uvec2 shown) { return vec3(unpackHalf2x16(shown.x & 0x7fff7fffu), unpackHalf2x16(shown.y & 0x7fffu).x); }
 vec3 shownNormal(uvec2 shown) { return vectorOfOctahedral(unpackSnorm4x8(shown.y >> 16u).xy); }
 
 float luminance(vec3 colour) { return dot(colour, vec3(0.2126, 0.7152, 0.0722)); }

@@ -95,8 +95,9 @@ void main() {
         else if (i + 1u == lattice.stride) payload.at[i >> 1u] = packHalf2x16(clamp(vec2(value, 0.0), -65000.0, 65000.0));
     }
     const vec3 irradiance = payloadIrradiance(lattice, payload, kTransfer, kStorage);
-    TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = packShown(irradiance / kPi, point.normal);
     const uint stage = uint(findMSB(LATTICE_REPLICATES * push.path_end)) + 1u;
-    state.at[0] = (packHalf2x16(vec2(min(relative, 60000.0), 0.0)) & 0xffffu) | (stage << TEXEL_STAGE_SHIFT);
-    push.items.at[item_number].state = state.at[0];
+    const uint known = (packHalf2x16(vec2(min(relative, 60000.0), 0.0)) & 0xffffu) | (stage << TEXEL_STAGE_SHIFT);
+    TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = packShown(irradiance / kPi, point.normal, texelDone(lattice, known));
+    state.at[0] = known;
+    push.items.at[item_number].state = known;
 }

@@ -1,4 +1,4 @@
-// Payloads meet the light anew, or another albedo: one invocation per place of the pool. Nothing is traced.
+// Payloads meet the light anew, or another albedo, or other wishes how exact they are to be: one invocation per place of the pool. Nothing is traced.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/common/invocation.glsl"
@@ -25,5 +25,5 @@ void main() {
     TexelWords payload = wordsAt(lattice.payload, place, texelWords(lattice, kStorage));
     const vec3 irradiance = payloadIrradiance(lattice, payload, kTransfer, kStorage);
     TexelPairs shown = TexelPairs(lattice.shown + uint64_t(place) * 8ul);
-    shown.at[0] = packShown(irradiance * 0.318309886, shownNormal(shown.at[0]));
+    shown.at[0] = packShown(irradiance * 0.318309886, shownNormal(shown.at[0]), texelDone(lattice, state));
 }

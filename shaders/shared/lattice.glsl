@@ -1,4 +1,4 @@
-// The illumination lattice of a volume: texels in bricks of 8^3, and the light that they are lit by.
+// The illumination lattice of a volume: texels in bricks of 4^3, and the light that they are lit by.
 #ifndef RADIATA_SHARED_LATTICE
 #define RADIATA_SHARED_LATTICE
 #include "shaders/shared/isosurface.glsl"
@@ -6,25 +6,32 @@ SHADER_NAMESPACE_BEGIN
 
 // A texel's state: its relative standard error as a half, the number of doublings of its samples plus one (0: it has none), and whether
 // there is no surface through it (the smoothed gradient vanishes). What is shown of it says the same without the state: radiance is
-// positive, so signs of halves are free. That of the third is set for a texel with light, that of the first for one without a surface.
+// positive, so signs of halves are free. That of the third is set for a texel with light, that of the first for one without a surface,
+// that of the second for one that is as exact as a picture at rest wants it.
+// Bricks are small, as surfaces are thin: of a folded surface bricks of 8^3 keep four texels for each that some pixel can need, those
+// of 4^3 two and a half, those of 2^3 one and a half, whose index would be as large as what they save.
 #ifdef __cplusplus
-constexpr uint TEXEL_BRICK_SHIFT = 3;
-constexpr uint TEXELS_PER_BRICK = 512;
+constexpr uint TEXEL_BRICK_SHIFT = 2;
+constexpr uint TEXEL_BRICK_EDGE = 1u << TEXEL_BRICK_SHIFT;
+constexpr uint TEXELS_PER_BRICK = TEXEL_BRICK_EDGE * TEXEL_BRICK_EDGE * TEXEL_BRICK_EDGE;
 constexpr uint TEXEL_STAGE_SHIFT = 16;
 constexpr uint TEXEL_STAGE_MASK = 0xffu;
 constexpr uint TEXEL_EMPTY = 1u << 24u;
 constexpr uint TEXEL_SHOWN_LIT = 0x8000u;
 constexpr uint TEXEL_SHOWN_EMPTY = 0x8000u;
+constexpr uint TEXEL_SHOWN_DONE = 0x80000000u;
 constexpr uint LATTICE_REPLICATES = 4;
 constexpr uint LATTICE_COVERAGE_ONE = 256;
 #else
-#define TEXEL_BRICK_SHIFT 3
-#define TEXELS_PER_BRICK 512u
+#define TEXEL_BRICK_SHIFT 2
+#define TEXEL_BRICK_EDGE 4u
+#define TEXELS_PER_BRICK 64u
 #define TEXEL_STAGE_SHIFT 16u
 #define TEXEL_STAGE_MASK 0xffu
 #define TEXEL_EMPTY (1u << 24u)
 #define TEXEL_SHOWN_LIT 0x8000u
 #define TEXEL_SHOWN_EMPTY 0x8000u
+#define TEXEL_SHOWN_DONE 0x80000000u
 #define LATTICE_REPLICATES 4u
 #define LATTICE_COVERAGE_ONE 256.0
 #endif
@@ -96,21 +103,25 @@ struct LatticeParams {
     float irradiance_floor;  // relative errors are of no less than this irradiance
     uint64_t index;     // uint[bricks]: slot plus one, or 0
     uint64_t wanted;    // uint[bricks]: number of the latest request that needs it
-    uint64_t coverage;  // uint[slots * 512]: LATTICE_COVERAGE_ONE times the pixels that need it
-    uint64_t state;     // uint[slots * 512]
-    uint64_t payload;   // float or half [slots * 512 * stride], or four bytes each
-    uint64_t shown;     // uvec2[slots * 512]: radiance of a white surface as three halves, and the normal in 16 bits; see TEXEL_SHOWN_LIT
+    uint64_t coverage;  // uint[slots * TEXELS_PER_BRICK]: LATTICE_COVERAGE_ONE times the pixels that need it
+    uint64_t state;     // uint[slots * TEXELS_PER_BRICK]
+    uint64_t payload;   // float or half [slots * TEXELS_PER_BRICK * stride], or four bytes each
+    uint64_t shown;     // uvec2[slots * TEXELS_PER_BRICK]: radiance of a white surface as three halves, and the normal in 16 bits; see TEXEL_SHOWN_LIT
     LatticeLight light;
     uint request;       // number of this request
     uint interpolation; // as model::TexelInterpolation
     uint random_paths;  // 1: of independent random points
     float rgb8_scale;   // radiance of a white surface that the largest 8-bit number stands for
+    float relative_error;  // when a texel is done: that error after samples_least, or samples_max
+    uint samples_least;
+    uint samples_max;
+    uint pad;
 };
-STATIC_SIZE(LatticeParams, 416);
+STATIC_SIZE(LatticeParams, 432);
 
 // A texel that pixels need.
 struct TexelItem {
-    uint place;    // slot * 512 + place in the brick
+    uint place;    // slot * TEXELS_PER_BRICK + place in the brick
     uint texel;    // its number in the whole lattice, i fastest
     uint coverage;
     uint state;

@@ -93,23 +93,33 @@ TEST_F(PixelPaths, AgreeWithTheReferencePixelByPixel) {
     EXPECT_LT(info.mean_error, 0.05);
 }
 
-TEST_F(PixelPaths, AreWhatTheLatticeInterpolates) {
+TEST_F(PixelPaths, AreWhatTheLatticeInterpolatesTheNearerTheFinerItIsAndNearestAtRest) {
     model::FrameRequest wanted = request();
-    lightOf(wanted).relative_error = 0.02F;
+    lightOf(wanted).suns = {{{0.7, -0.6, 0.6}, 18, glm::vec3(0.8F)}};
     const model::Frame traced = draw(wanted);
     lightOf(wanted).method = model::IlluminationMethod::kLattice;
-    const model::Frame lattice = draw(wanted);
-    double squares = 0, sum = 0;
-    int hits = 0;
-    for (std::size_t i = 0; i < traced.pixels.depth.size(); ++i) {
-        if (traced.pixels.id[4 * i] < 0) continue;
-        ++hits;
-        squares += std::pow(radiance(traced, i) - radiance(lattice, i), 2);
-        sum += radiance(traced, i);
-    }
-    const double error = std::sqrt(squares / hits) / (sum / hits);
-    std::printf("difference %.2g %%\n", 100 * error);
-    EXPECT_LT(error, 0.12);
+    lightOf(wanted).samples_max = 64;
+    const auto error = [&](model::LatticeResolution resolution, bool project) {
+        lightOf(wanted).resolution = resolution;
+        lightOf(wanted).project = project;
+        const model::Frame lattice = draw(wanted);
+        double squares = 0, sum = 0;
+        for (std::size_t i = 0; i < traced.pixels.depth.size(); ++i) {
+            if (traced.pixels.id[4 * i] < 0) continue;
+            squares += std::pow(radiance(traced, i) - radiance(lattice, i), 2);
+            sum += radiance(traced, i);
+        }
+        const double hits = static_cast<double>(traced.info.hit_pixels);
+        return std::sqrt(squares / hits) / (sum / hits);
+    };
+    const double eighth = error(model::LatticeResolution::kEighth, false), one = error(model::LatticeResolution::kOne, false),
+                 eight = error(model::LatticeResolution::kEight, false), rest = error(model::LatticeResolution::kOne, true);
+    std::printf("differences %.2g, %.2g and %.2g %% by resolution, %.2g %% at rest\n", 100 * eighth, 100 * one, 100 * eight,
+                100 * rest);
+    EXPECT_LT(one, 0.12);
+    EXPECT_LT(one, 0.8 * eighth);
+    EXPECT_LT(eight, 0.9 * one);
+    EXPECT_LT(rest, 0.9 * one);
 }
 
 TEST_F(PixelPaths, StopAtTheErrorThatWasAskedForAndGrowStepByStep) {

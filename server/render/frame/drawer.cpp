@@ -78,10 +78,10 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
     try {
         if (sample == 0) {
             target.samples = 0;
-            target.settled = false;
+            target.settled = list.settled;
             target.path_seconds = 0;
             target.approximate = false;
-            target.surface_number = ++surfaces_;
+            if (!list.same_view) target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);
             fillIsosurfaceParameters(device_, target, list);
             fillSurfaceLooks(device_, target, list);
@@ -96,11 +96,22 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         for (const plan::PassPlan& pass : list.plan->passes) run(pass_run, pass);
         recorder_.submitAndWait();
         target.samples = sample + 1;
+        // A dataset that the view shows beside may be another meanwhile: then the same view is not the same.
+        if (sample == 0 && target.settled && lightLacks(pass_run)) {
+            target.settled = false;
+            target.surface_number = ++surfaces_;
+        }
     } catch (...) {
         recorder_.discard();
         target.samples = 0;
         throw;
     }
+}
+
+bool Drawer::beginView(Target::Impl& target, DrawList& list, const model::FrameRequest& request) {
+    list.same_view = target.surface_number != 0 && target.request_surface == target.surface_number && target.request == request;
+    target.request = request;
+    return list.same_view && list.plan->usesGlobalLight() && takeReadyLight({device_, recorder_, pipelines_, target, list, 0});
 }
 
 bool Drawer::settle(Target::Impl& target, const DrawList& list, std::optional<std::chrono::steady_clock::time_point> until,

@@ -22,6 +22,9 @@ public:
     /// `cancel` is looked at between submissions.
     /// \throws Error(kCancelled), Error of the device
     void drawSample(Target::Impl& target, const DrawList& list, int sample, const std::atomic<bool>* cancel);
+    /// Notes whether the target had the same view last. \return whether the texels that it needs at rest are known and done,
+    /// too
+    bool beginView(Target::Impl& target, DrawList& list, const model::FrameRequest& request);
     /// Goes on with the global light of the picture's first sample, which must be the only one, and lights it anew.
     /// \return whether it is as exact as asked for  \throws as drawSample(); the sample stays
     bool settle(Target::Impl& target, const DrawList& list, std::optional<std::chrono::steady_clock::time_point> until,

@@ -8,10 +8,12 @@
 namespace radiata::render {
 namespace {
 
-IlluminationLattice& latticeOf(const DrawList& list, int layer) {
+IlluminationLattice& latticeOf(const DrawList& list, int layer, bool settled) {
     const DrawnLayer& drawn = list.layers[static_cast<std::size_t>(layer)];
-    return *(list.settled && drawn.rest_lattice ? drawn.rest_lattice : drawn.lattice);
+    return *(settled && drawn.rest_lattice ? drawn.rest_lattice : drawn.lattice);
 }
+
+IlluminationLattice& latticeOf(const DrawList& list, int layer) { return latticeOf(list, layer, list.settled); }
 
 LatticePixels pixelsOf(const PassRun& run, int layer) {
     return {run.frameAddress(), isosurfaceAddress(run.target, static_cast<std::size_t>(layer)), run.target.surface.address(),
@@ -54,6 +56,7 @@ void runIllumination(PassRun& run, const plan::PassPlan& pass) {
     const LatticeRun lattice_run = latticeRun(run);
     // Mostly everything is there: then the pixels' light is, too.
     gatherLight(run, lattice, pass.layer);
+    if (run.sample == 0 && run.target.settled) return;
     run.recorder.submitAndWait();
     if (!lattice.lacking()) return;
     lattice.request(lattice_run, pixelsOf(run, pass.layer), 0);
@@ -63,6 +66,28 @@ void runIllumination(PassRun& run, const plan::PassPlan& pass) {
         lattice.lightFirst(lattice_run);
     }
     gatherLight(run, lattice, pass.layer);
+}
+
+bool takeReadyLight(const PassRun& run) {
+    for (const plan::PassPlan& pass : run.list.plan->passes) {
+        if (pass.kind == plan::PassKind::kPixelPaths) return false;
+        if (pass.kind != plan::PassKind::kIllumination) continue;
+        const IlluminationLattice& lattice = latticeOf(run.list, pass.layer, true);
+        if (lattice.requestedFor() != run.target.surface_number || !lattice.done()) return false;
+    }
+    for (const plan::PassPlan& pass : run.list.plan->passes) {
+        if (pass.kind == plan::PassKind::kIllumination) latticeOf(run.list, pass.layer, true).keepRequest();
+    }
+    return true;
+}
+
+bool lightLacks(const PassRun& run) {
+    for (const plan::PassPlan& pass : run.list.plan->passes) {
+        if (pass.kind != plan::PassKind::kIllumination) continue;
+        const IlluminationLattice& lattice = latticeOf(run.list, pass.layer);
+        if (lattice.lacking() && !lattice.beyondBudget()) return true;
+    }
+    return false;
 }
 
 bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until) {

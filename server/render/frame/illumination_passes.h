@@ -15,6 +15,12 @@ LatticeRun latticeRun(const PassRun& run);
 /// first samples, else all that it takes.
 void runIllumination(PassRun& run, const plan::PassPlan& pass);
 
+/// Whether the latest request of each of the picture's lattices was for its surface buffer, and its texels are done, so that
+/// nothing needs to be asked for once more. If so, their counts of paths begin anew.
+bool takeReadyLight(const PassRun& run);
+/// Whether a pixel lacked texels after all, as far as there is room for them.
+bool lightLacks(const PassRun& run);
+
 /// Goes on with the texels of the picture's first sample, whose surface buffer must still be there, and lights its pixels by
 /// them. \return whether all are as exact as asked for  \throws Error(kCancelled); the picture's first sample stays
 bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until);

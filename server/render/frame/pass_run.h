@@ -52,8 +52,9 @@ struct DrawList {
     std::optional<plan::RebasedCamera> frozen;  ///< that fiblets are culled for, if not for the camera
     glm::vec2 pixel_offset{0};                  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
-    bool moving = false;   ///< transparent fibres are drawn fast
-    bool settled = false;  ///< global light is that of a picture at rest
+    bool moving = false;     ///< transparent fibres are drawn fast
+    bool settled = false;    ///< global light is that of a picture at rest
+    bool same_view = false;  ///< what the target's surface buffer had last is drawn again
 };
 
 /// Rows of work per submission, adapted to the last measured speed so that each takes about kSubmissionMs.

@@ -280,7 +280,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         impl_->store);
     preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
-    buffers.request = request;
+    list.settled = first_sample == 0 && impl_->drawer.beginView(buffers, list, request);
     impl_->drawer.takeTimings();
     const bool global = plan.usesGlobalLight();
     // All samples at once are wanted as they will be; step by step, pictures show how far the light is.
@@ -299,6 +299,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         impl_->drawer.drawSample(buffers, list, sample, cancel);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
+            list.settled = buffers.settled;
+            buffers.request_surface = buffers.surface_number;
             buffers.hit_pixels = buffers.counters().hit_pixels;
             if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
         }
@@ -314,9 +316,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
-    const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;
-    frame.pixels.rgba.resize(bytes);
-    std::memcpy(frame.pixels.rgba.data(), buffers.picture.mapped().data(), bytes);
+    frame.pixels.rgba.resize(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4);
+    std::memcpy(frame.pixels.rgba.data(), buffers.picture.mapped().data(), frame.pixels.rgba.size());
     frame.info.samples = buffers.samples;
     frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
                        : first_sample == 0                           ? model::FrameState::kInteractive

@@ -50,18 +50,19 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
-    gpu::Buffer isosurfaces;           ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
-    gpu::Buffer veil;                  ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
-    gpu::Buffer peel_surface;          ///< shader::Surface[pixels]; only once a scene has transparent fibres
-    gpu::Buffer fxaa_source;           ///< rgba8[pixels]; only once a picture was smoothed
-    bool approximate = false;          ///< the one sample has transparent fibres as they are drawn while moving
-    gpu::Buffer global_light;          ///< vec3[pixels], of the latest sample; only once a scene has global light
-    gpu::Buffer surface_looks;         ///< shader::SurfaceLook[layers]; only once an isosurface has one
-    gpu::Buffer paths;                 ///< shader::PixelPaths[pixels], of the latest sample; only once pixels were path-traced
-    std::uint32_t path_count = 0;      ///< paths of each replicate in them
-    double path_seconds = 0;           ///< spent on paths of the picture
-    std::uint64_t surface_number = 0;  ///< of the first sample in the surface buffer, unlike any other's
-    bool settled = false;              ///< its global light is that of a picture at rest
+    gpu::Buffer isosurfaces;            ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
+    gpu::Buffer veil;                   ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
+    gpu::Buffer peel_surface;           ///< shader::Surface[pixels]; only once a scene has transparent fibres
+    gpu::Buffer fxaa_source;            ///< rgba8[pixels]; only once a picture was smoothed
+    bool approximate = false;           ///< the one sample has transparent fibres as they are drawn while moving
+    gpu::Buffer global_light;           ///< vec3[pixels], of the latest sample; only once a scene has global light
+    gpu::Buffer surface_looks;          ///< shader::SurfaceLook[layers]; only once an isosurface has one
+    gpu::Buffer paths;                  ///< shader::PixelPaths[pixels], of the latest sample; only once pixels were path-traced
+    std::uint32_t path_count = 0;       ///< paths of each replicate in them
+    double path_seconds = 0;            ///< spent on paths of the picture
+    std::uint64_t surface_number = 0;   ///< of the first sample in the surface buffer: views have their own
+    std::uint64_t request_surface = 0;  ///< that which `request` was drawn into
+    bool settled = false;               ///< its global light is that of a picture at rest
     std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
     std::unique_ptr<FibletLineBuffers> fiblet_lines;      ///< only while fibres are drawn by other pipelines than atomic
     std::unique_ptr<RasterBuffers> raster;                ///< only while frames are drawn as triangles

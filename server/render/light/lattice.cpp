@@ -15,6 +15,8 @@
 namespace radiata::render {
 namespace {
 
+constexpr int kEdge = static_cast<int>(shader::TEXEL_BRICK_EDGE);
+
 double voxelsPerTexel(model::LatticeResolution resolution) {
     return resolution == model::LatticeResolution::kEighth ? 2 : resolution == model::LatticeResolution::kOne ? 1 : 0.5;
 }
@@ -59,7 +61,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       light_(light),
       projected_(projected),
       size_(latticeSize(volume_->params().size, light.resolution)),
-      bricks_((size_ + 7) / 8),
+      bricks_((size_ + (kEdge - 1)) / kEdge),
       pool_(device, product(bricks_), texelBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
     lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
@@ -89,7 +91,7 @@ void IlluminationLattice::refreshAddresses() {
     const auto address = [](const gpu::Buffer& buffer) { return buffer ? buffer.address() : 0; };
     lattice.index = pool_.index();
     lattice.wanted = pool_.wanted();
-    lattice.coverage = address(pool_.coverage());
+    lattice.coverage = address(coverage_);
     lattice.state = address(pool_.state());
     lattice.payload = address(pool_.payload());
     lattice.shown = address(pool_.shown());
@@ -105,6 +107,7 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     const bool drop =
         lit_ && ((new_light && irradiance) || (new_albedo && one_colour) || (projected_ && isovalue != isovalue_));
     const bool harder = light.relative_error < light_.relative_error || light.samples_max > light_.samples_max;
+    const bool other_stop = light.relative_error != light_.relative_error || light.samples_max != light_.samples_max;
     light_ = light;
     map_ = map;
     albedo_ = albedo;
@@ -112,6 +115,9 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     shader::LatticeParams& lattice = shared();
     lattice.albedo = albedo;
     lattice.isovalue = isovalue;
+    lattice.relative_error = light.relative_error;
+    lattice.samples_least = kLeastSamples;
+    lattice.samples_max = static_cast<std::uint32_t>(light.samples_max);
     if (new_light) {
         light_buffers_ = std::make_unique<LatticeLightBuffers>(device_, light, map.get(), *volume_, light_buffers_.get());
         lattice.light = light_buffers_->params();
@@ -127,7 +133,7 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     const bool empty = !lit_ || drop;
     if (drop) {
         dropTexels();
-    } else if (lit_ && (new_light || new_albedo)) {
+    } else if (lit_ && (new_light || new_albedo || other_stop)) {
         relight(run);
     }
     lit_ = true;
@@ -136,7 +142,7 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
 
 void IlluminationLattice::dropTexels() {
     pool_.clear();
-    refreshAddresses();
+    freeWorking();
     requested_.clear();
     active_.clear();
     requested_for_ = 0;
@@ -181,10 +187,30 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     active_.clear();
     requested_for_ = number;
     if (pool_.slotsUsed() == 0) return;
-    run.recorder.fill(pool_.coverage(), 0, std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4, 0);
+    clearCoverage(run);
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,
                           1, 1, push);
     list(run);
+}
+
+void IlluminationLattice::keepRequest() {
+    seconds_ = 0;
+    samples_ = 0;
+}
+
+void IlluminationLattice::clearCoverage(const LatticeRun& run) {
+    const std::uint64_t bytes = std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4;
+    if (!coverage_ || coverage_.sizeBytes() < bytes) {
+        coverage_ = gpu::Buffer(device_, bytes + bytes / 8, gpu::Memory::kDevice, "lattice coverage");
+        refreshAddresses();
+    }
+    run.recorder.fill(coverage_, 0, bytes, 0);
+}
+
+/// What is not needed once texels are done is more than the texels.
+void IlluminationLattice::freeWorking() {
+    for (gpu::Buffer* buffer : {&coverage_, &items_, &sums_}) *buffer = gpu::Buffer();
+    refreshAddresses();
 }
 
 /// Reads the texels with coverage back.
@@ -194,15 +220,19 @@ void IlluminationLattice::list(const LatticeRun& run) {
         std::uint32_t places, capacity;
     };
     const std::uint32_t places = pool_.slotsUsed() * shader::TEXELS_PER_BRICK;
-    const std::uint64_t bytes = 4 + std::uint64_t{places} * sizeof(shader::TexelItem);
-    if (!items_ || items_.sizeBytes() < bytes) {
-        items_ = gpu::Buffer(device_, bytes + bytes / 4, gpu::Memory::kReadback, "texels wanted");
+    std::uint32_t count = std::min<std::uint32_t>(places, 65536);
+    for (std::uint32_t capacity = 0; count > capacity;) {
+        if (!items_ || items_.sizeBytes() < 4 + count * sizeof(shader::TexelItem)) {
+            items_ = gpu::Buffer(device_, 4 + (std::uint64_t{count} + count / 4) * sizeof(shader::TexelItem),
+                                 gpu::Memory::kReadback, "texels wanted");
+        }
+        capacity = static_cast<std::uint32_t>((items_.sizeBytes() - 4) / sizeof(shader::TexelItem));
+        *items_.as<std::uint32_t>().data() = 0;
+        run.recorder.dispatch(run.pipeline("isosurface_collect_texels", {64U}), "illumination request", (places + 63) / 64, 1,
+                              1, Push{params_.address(), items_.address(), pool_.slotBricks().address(), places, capacity});
+        run.recorder.submitAndWait();
+        count = *items_.as<std::uint32_t>().data();
     }
-    *items_.as<std::uint32_t>().data() = 0;
-    run.recorder.dispatch(run.pipeline("isosurface_collect_texels", {64U}), "illumination request", (places + 63) / 64, 1, 1,
-                          Push{params_.address(), items_.address(), pool_.slotBricks().address(), places, places});
-    run.recorder.submitAndWait();
-    const std::uint32_t count = *items_.as<std::uint32_t>().data();
     std::vector<shader::TexelItem> items(count);
     std::memcpy(items.data(), items_.mapped().data() + 4, count * sizeof(shader::TexelItem));
     // The device lists them in any order; the number of a texel makes it one.
@@ -223,6 +253,7 @@ void IlluminationLattice::list(const LatticeRun& run) {
     if (!active_.empty() && (!sums_ || sums_.sizeBytes() < sum_bytes)) {
         sums_ = gpu::Buffer(device_, sum_bytes + sum_bytes / 4, gpu::Memory::kDevice, "sums of texels");
     }
+    if (active_.empty()) freeWorking();
 }
 
 }  // namespace radiata::render

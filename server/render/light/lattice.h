@@ -91,6 +91,10 @@ public:
     /// Goes on with the stages of all requested texels until they are done or the time is up. \return whether all are done
     bool refine(const LatticeRun& run, std::optional<std::chrono::steady_clock::time_point> until);
     bool done() const { return active_.empty(); }
+    /// The latest request serves another picture as it is: info() counts paths anew.
+    void keepRequest();
+    /// Whether the budget had no room for some texels of the latest request.
+    bool beyondBudget() const { return left_out_ > 0; }
 
     /// Radiance of a white surface for each pixel of the layer into vec3[pixels]; negative where nothing is known.
     /// \param settled  whether lacking() counts texels that are there and not done
@@ -117,6 +121,8 @@ private:
     void refreshAddresses();
     void relight(const LatticeRun& run);
     void list(const LatticeRun& run);
+    void clearCoverage(const LatticeRun& run);
+    void freeWorking();
     bool isDone(std::uint32_t state) const;
     std::optional<std::uint64_t> placeOf(const glm::ivec3& texel) const;
     void lightBatch(const LatticeRun& run, std::size_t begin, std::size_t end);
@@ -139,7 +145,8 @@ private:
     bool lit_ = false;
     LatticePool pool_;
     std::unique_ptr<LatticeLightBuffers> light_buffers_;
-    gpu::Buffer params_, items_, sums_, lacking_;
+    gpu::Buffer params_, lacking_;
+    gpu::Buffer coverage_, items_, sums_;  ///< while texels are not done
 
     /// A requested texel. Its row of sums stays while the request does.
     struct Texel {

@@ -12,8 +12,8 @@ namespace radiata::render {
 namespace {
 
 constexpr std::uint64_t kTexels = shader::TEXELS_PER_BRICK;
-/// Coverage, state, and what is shown.
-constexpr std::uint64_t kOtherBytes = 4 + 4 + 8;
+/// State, and what is shown.
+constexpr std::uint64_t kOtherBytes = 4 + 8;
 
 /// A larger buffer with the old one's content in front and zeros behind.
 gpu::Buffer grown(gpu::Device& device, gpu::CommandRecorder& recorder, const gpu::Buffer& old, std::uint64_t bytes,
@@ -44,8 +44,8 @@ std::uint64_t LatticePool::bytes() const { return capacity_ * brickBytes() + 2 *
 
 void LatticePool::grow(gpu::CommandRecorder& recorder, std::uint64_t slots) {
     if (slots <= capacity_) return;
-    const std::uint64_t capacity = std::min(std::max(slots, capacity_ + capacity_ / 2), slots_max_);
-    coverage_ = grown(device_, recorder, coverage_, capacity * kTexels * 4, "lattice coverage");
+    // Memory counts for more than copies: a moving view copies all texels once for each eighth that is new.
+    const std::uint64_t capacity = std::min(std::max(slots, capacity_ + capacity_ / 8), slots_max_);
     state_ = grown(device_, recorder, state_, capacity * kTexels * 4, "lattice states");
     shown_ = grown(device_, recorder, shown_, capacity * kTexels * 8, "lattice light");
     payload_ = grown(device_, recorder, payload_, capacity * kTexels * payload_bytes_, "lattice payloads");
@@ -76,6 +76,14 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
             if (slots_[slot].wanted != request_) reused.push_back(slot);
         }
     }
+    // Neighbours were mostly wanted at the same time, so few runs of slots are emptied, not each alone.
+    reused.resize(std::min(reused.size(), missing.size() - std::min(missing.size(), capacity_ - slots_.size())));
+    std::ranges::sort(reused);
+    for (std::size_t i = 0, last = 0; i < reused.size(); i = last) {
+        for (last = i + 1; last < reused.size() && reused[last] == reused[i] + last - i;) ++last;
+        recorder.fill(state_, reused[i] * kTexels * 4, (last - i) * kTexels * 4, 0);
+        recorder.fill(shown_, reused[i] * kTexels * 8, (last - i) * kTexels * 8, 0);
+    }
     std::size_t given = 0, next_reused = 0;
     for (; given < missing.size(); ++given) {
         std::uint32_t slot = 0;
@@ -85,8 +93,6 @@ std::uint64_t LatticePool::admit(gpu::CommandRecorder& recorder) {
         } else if (next_reused < reused.size()) {
             slot = reused[next_reused++];
             slot_of_brick_[slots_[slot].brick] = 0;
-            recorder.fill(state_, slot * kTexels * 4, kTexels * 4, 0);
-            recorder.fill(shown_, slot * kTexels * 8, kTexels * 8, 0);
         } else {
             break;
         }
@@ -108,7 +114,7 @@ void LatticePool::clear() {
     slots_.clear();
     std::ranges::fill(slot_of_brick_, 0U);
     gpu::upload(device_, index_, 0, std::as_bytes(std::span(slot_of_brick_)));
-    for (gpu::Buffer* buffer : {&coverage_, &state_, &payload_, &shown_, &slot_bricks_}) *buffer = gpu::Buffer();
+    for (gpu::Buffer* buffer : {&state_, &payload_, &shown_, &slot_bricks_}) *buffer = gpu::Buffer();
     capacity_ = 0;
 }
 

@@ -1,4 +1,4 @@
-// Device memory of an illumination lattice: texels in bricks of 8^3, a brick only where somebody looks, within a budget.
+// Device memory of an illumination lattice: texels in bricks of 4^3, a brick only where somebody looks, within a budget.
 #pragma once
 
 #include <cstdint>
@@ -36,7 +36,6 @@ public:
 
     std::uint64_t index() const { return index_.address(); }
     std::uint64_t wanted() const { return wanted_.address(); }
-    const gpu::Buffer& coverage() const { return coverage_; }
     const gpu::Buffer& state() const { return state_; }
     const gpu::Buffer& payload() const { return payload_; }
     const gpu::Buffer& shown() const { return shown_; }
@@ -61,7 +60,7 @@ private:
     std::uint32_t request_ = 0;
     std::vector<std::uint32_t> slot_of_brick_;  ///< plus one; what index_ holds
     std::vector<Slot> slots_;
-    gpu::Buffer index_, wanted_, slot_bricks_, coverage_, state_, payload_, shown_;
+    gpu::Buffer index_, wanted_, slot_bricks_, state_, payload_, shown_;
 };
 
 }  // namespace radiata::render

@@ -106,6 +106,7 @@ bool IlluminationLattice::refine(const LatticeRun& run, std::optional<Clock::tim
         });
         cursor_ = 0;
         stage_paths_ *= 2;
+        if (active_.empty()) freeWorking();
     }
     return true;
 }
@@ -134,6 +135,7 @@ model::IlluminationInfo IlluminationLattice::info() const {
     info.seconds = seconds_;
     info.samples = samples_;
     info.bytes = pool_.bytes();
+    for (const gpu::Buffer* buffer : {&coverage_, &items_, &sums_}) info.bytes += *buffer ? buffer->sizeBytes() : 0;
     info.payload_bytes = pool_.payloadBytes();
     info.projected = projected_;
     info.texels_read = texels_read_;
@@ -156,22 +158,22 @@ void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pix
                                  const std::string& pass, bool settled) {
     struct Push {
         std::uint64_t frame, layer, surface, lattice, light, lacking;
-        float relative_error;
-        std::uint32_t samples_max, samples_least;
     };
     lacking_.as<std::uint32_t>()[0] = 0;
     run.recorder.dispatch(
-        run.pipeline("isosurface_gather_light", {64U, static_cast<std::uint32_t>(light_.interpolation), settled ? 1U : 0U}),
+        run.pipeline("isosurface_gather_light",
+                     {64U, static_cast<std::uint32_t>(light_.interpolation), settled ? 1U : 0U, projected_ ? 1U : 0U}),
         pass, (pixels.pixels + 63) / 64, 1, 1,
-        Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address(),
-             light_.relative_error, static_cast<std::uint32_t>(light_.samples_max), kLeastSamples});
+        Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address()});
 }
 
 std::optional<std::uint64_t> IlluminationLattice::placeOf(const glm::ivec3& texel) const {
-    const glm::ivec3 brick = texel / 8, at = texel % 8;
+    constexpr int kEdge = static_cast<int>(shader::TEXEL_BRICK_EDGE);
+    const glm::ivec3 brick = texel / kEdge, at = texel % kEdge;
     const std::uint32_t slot = pool_.slotOf(static_cast<std::uint32_t>(brick.x + bricks_.x * (brick.y + bricks_.y * brick.z)));
     if (slot == 0) return std::nullopt;
-    return std::uint64_t{slot - 1} * shader::TEXELS_PER_BRICK + static_cast<std::uint64_t>(at.x + 8 * (at.y + 8 * at.z));
+    return std::uint64_t{slot - 1} * shader::TEXELS_PER_BRICK +
+           static_cast<std::uint64_t>(at.x + kEdge * (at.y + kEdge * at.z));
 }
 
 double IlluminationLattice::relativeError(gpu::Device& device, const glm::ivec3& texel) const {

@@ -12,6 +12,8 @@ namespace radiata::render {
 namespace {
 
 constexpr std::uint64_t kTexels = shader::TEXELS_PER_BRICK;
+static_assert(kTexels == io::kTexelsPerBrick);
+constexpr int kEdge = static_cast<int>(shader::TEXEL_BRICK_EDGE);
 
 /// Numbers as short as they can be without losing a bit.
 std::string words(std::initializer_list<double> numbers) {
@@ -22,6 +24,16 @@ std::string words(std::initializer_list<double> numbers) {
         text += word;
     }
     return text;
+}
+
+/// Calls use(first, count) for each run of bricks whose slots follow each other: a copy has its price.
+template <typename Use>
+void forRuns(const LatticePool& pool, std::span<const std::uint32_t> bricks, const Use& use) {
+    for (std::size_t first = 0, last = 0; first < bricks.size(); first = last) {
+        const std::uint64_t slot = pool.slotOf(bricks[first]);
+        for (last = first + 1; last < bricks.size() && pool.slotOf(bricks[last]) == slot + last - first;) ++last;
+        use(first, last - first);
+    }
 }
 
 std::string words(const glm::dvec3& v) { return words({v.x, v.y, v.z}); }
@@ -73,15 +85,14 @@ void IlluminationLattice::save(const std::filesystem::path& file) const {
         io::LatticePart part;
         part.states.resize(count * kTexels);
         part.payloads.resize(count * kTexels * payload_bytes);
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const auto brick = static_cast<std::uint32_t>(begin + i);
-            const std::uint64_t slot = pool_.slotOf(brick) - 1;
-            part.bricks.push_back(brick);
+        for (std::uint64_t i = 0; i < count; ++i) part.bricks.push_back(static_cast<std::uint32_t>(begin + i));
+        forRuns(pool_, part.bricks, [&](std::size_t i, std::size_t length) {
+            const std::uint64_t slot = pool_.slotOf(part.bricks[i]) - 1;
             gpu::download(device_, pool_.state(), slot * kTexels * 4,
-                          std::as_writable_bytes(std::span(part.states).subspan(i * kTexels, kTexels)));
+                          std::as_writable_bytes(std::span(part.states).subspan(i * kTexels, length * kTexels)));
             gpu::download(device_, pool_.payload(), slot * kTexels * payload_bytes,
-                          std::span(part.payloads).subspan(i * kTexels * payload_bytes, kTexels * payload_bytes));
-        }
+                          std::span(part.payloads).subspan(i * kTexels * payload_bytes, length * kTexels * payload_bytes));
+        });
         writer.write(part);
     }
     writer.finish();
@@ -113,19 +124,22 @@ void IlluminationLattice::restore(const LatticeRun& run, const std::filesystem::
                 const std::uint32_t brick = part->bricks[i];
                 if (seen[brick]) throw Error(Code::kCorrupt, name + ": has brick " + std::to_string(brick) + " twice");
                 seen[brick] = true;
-                const std::uint64_t slot = pool_.slotOf(brick) - 1;
-                const auto states = std::span(part->states).subspan(i * kTexels, kTexels);
-                gpu::upload(device_, pool_.state(), slot * kTexels * 4, std::as_bytes(states));
-                gpu::upload(device_, pool_.payload(), slot * kTexels * payload_bytes,
-                            std::span(part->payloads).subspan(i * kTexels * payload_bytes, kTexels * payload_bytes));
                 const glm::ivec3 at(brick % static_cast<std::uint32_t>(bricks_.x),
                                     brick / static_cast<std::uint32_t>(bricks_.x) % static_cast<std::uint32_t>(bricks_.y),
                                     brick / static_cast<std::uint32_t>(bricks_.x * bricks_.y));
                 for (int t = 0; t < static_cast<int>(kTexels); ++t) {
-                    const glm::ivec3 texel = 8 * at + glm::ivec3(t % 8, t / 8 % 8, t / 64);
-                    if (glm::all(glm::lessThan(texel, size_))) noteWhole(states[static_cast<std::size_t>(t)]);
+                    const glm::ivec3 texel = kEdge * at + glm::ivec3(t % kEdge, t / kEdge % kEdge, t / (kEdge * kEdge));
+                    if (glm::all(glm::lessThan(texel, size_)))
+                        noteWhole(part->states[i * kTexels + static_cast<std::size_t>(t)]);
                 }
             }
+            forRuns(pool_, part->bricks, [&](std::size_t i, std::size_t length) {
+                const std::uint64_t slot = pool_.slotOf(part->bricks[i]) - 1;
+                gpu::upload(device_, pool_.state(), slot * kTexels * 4,
+                            std::as_bytes(std::span(part->states).subspan(i * kTexels, length * kTexels)));
+                gpu::upload(device_, pool_.payload(), slot * kTexels * payload_bytes,
+                            std::span(part->payloads).subspan(i * kTexels * payload_bytes, length * kTexels * payload_bytes));
+            });
         }
     } catch (...) {
         dropTexels();

@@ -10,7 +10,7 @@
 namespace radiata::render {
 namespace {
 
-constexpr std::uint64_t kBricksPerPart = 128;
+constexpr std::uint64_t kBricksPerPart = 65536 / shader::TEXELS_PER_BRICK;
 
 }  // namespace
 
@@ -28,12 +28,12 @@ void IlluminationLattice::requestBricks(const LatticeRun& run, std::uint64_t beg
     left_out_ = pool_.admit(run.recorder);
     refreshAddresses();
     constexpr std::uint64_t kBytes = std::uint64_t{shader::TEXELS_PER_BRICK} * 4;
-    run.recorder.fill(pool_.coverage(), 0, pool_.slotsUsed() * kBytes, 0);
+    clearCoverage(run);
     // Neighbours mostly have neighbouring slots.
     for (std::uint64_t brick = begin, last = begin; brick < end; brick = last) {
         const std::uint64_t slot = pool_.slotOf(static_cast<std::uint32_t>(brick)) - 1;
         for (last = brick + 1; last < end && pool_.slotOf(static_cast<std::uint32_t>(last)) - 1 == slot + last - brick;) ++last;
-        run.recorder.fill(pool_.coverage(), slot * kBytes, (last - brick) * kBytes, 1);
+        run.recorder.fill(coverage_, slot * kBytes, (last - brick) * kBytes, 1);
     }
     list(run);
     requested_for_ = mark;

@@ -19,7 +19,8 @@ LabVolume headOrBall(int size) {
             image.voxel_to_world[3] = glm::dvec4(-middle, 1);
             const std::string extent =
                 std::to_string(image.size.x) + "x" + std::to_string(image.size.y) + "x" + std::to_string(image.size.z);
-            return {std::move(image), 25, "T1 image of a head (" + extent + " voxels of 1 mm, public), isovalue 25"};
+            return {std::move(image), 60, "T1 image of a head (" + extent + " voxels of 1 mm, public), isovalue 60: cortex",
+                    true};
         }
     }
     return {foldedBall(size), 30, "folded ball of " + std::to_string(size) + "^3 voxels"};

@@ -31,8 +31,7 @@ public:
                                " pixels against path tracing in double, relative to the mean, without the truth's own error");
     }
     model::FrameRequest request(LabSky sky) const { return litRequest(image_, "volume", isovalue_, sky, height_); }
-    LightTruth truth(LabSky sky) { return truth(sky, pathsFor(sky)); }
-    LightTruth truth(LabSky sky, int paths) { return lightTruth(renderer_, image_, request(sky), kTruthPixels, paths); }
+    LightTruth truth(LabSky sky, int paths = 1500) { return lightTruth(renderer_, image_, request(sky), kTruthPixels, paths); }
     model::Frame draw(const model::FrameRequest& request, const model::Outputs& outputs = {}) {
         return renderer_.renderAll(request, outputs);
     }
@@ -40,7 +39,6 @@ public:
     const model::ScalarImage& image() const { return image_; }
     int height() const { return height_; }
     static model::Illumination& lightOf(model::FrameRequest& request) { return *request.scene.light.illumination; }
-    static int pathsFor(LabSky sky) { return sky == LabSky::kEven ? 600 : sky == LabSky::kWideSun ? 1200 : 6000; }
 
     Report report;
 
@@ -60,6 +58,7 @@ struct LabVolume {
     model::ScalarImage image;
     float isovalue;
     std::string name;
+    bool head = false;
 };
 LabVolume headOrBall(int size);
 

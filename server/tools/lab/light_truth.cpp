@@ -12,15 +12,16 @@ namespace radiata::lab {
 namespace {
 
 constexpr double kAlbedo = 0.7;
+/// Of the march, voxels: what is between two steps is found by a parabola.
+constexpr double kStep = 0.25;
 const glm::dvec3 kSun = glm::normalize(glm::dvec3(0.7, -0.6, 0.6));
 
 double sunDegrees(LabSky sky) { return sky == LabSky::kWideSun ? 18 : 5; }
 
-/// Radiance from a direction; the suns' discs are a part of it.
-double skyRadiance(LabSky sky, const glm::dvec3& d) {
-    if (sky == LabSky::kEven) return 0.7;
-    const double sine = std::sin(sunDegrees(sky) * std::numbers::pi / 180);
-    return 0.3 + (glm::dot(d, kSun) > std::sqrt(1 - sine * sine) ? 1.2 / (std::numbers::pi * sine * sine) : 0);
+reference::Lights lightsOf(LabSky sky) {
+    if (sky == LabSky::kEven) return {[](const glm::dvec3&) { return 0.7; }, {}, {}};
+    const double cosine = std::cos(sunDegrees(sky) * std::numbers::pi / 180);
+    return {[](const glm::dvec3&) { return 0.3; }, {}, {{kSun, cosine, 1.2}}};
 }
 
 double linear(std::uint8_t value) {
@@ -67,7 +68,7 @@ LightTruth lightTruth(render::Renderer& renderer, const model::ScalarImage& imag
     const LabSky sky = light.suns.empty()                      ? LabSky::kEven
                        : light.suns[0].angular_radius_deg > 10 ? LabSky::kWideSun
                                                                : LabSky::kSun;
-    const reference::Lights lights{[sky](const glm::dvec3& d) { return skyRadiance(sky, d); }, {}};
+    const reference::Lights lights = lightsOf(sky);
     const double iso = *request.scene.layers[0].surface().isovalue;
     parallelFor(truth.pixels.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -76,7 +77,7 @@ LightTruth lightTruth(render::Renderer& renderer, const model::ScalarImage& imag
                 frame.info.position_origin_mm +
                 glm::dvec3(frame.pixels.position[at], frame.pixels.position[at + 1], frame.pixels.position[at + 2]);
             const auto found = reference::irradianceByBounce(field, iso, glm::dvec3(to_grid * glm::dvec4(world, 1)), lights,
-                                                             light.bounces, paths, 100 + i);
+                                                             light.bounces, paths, 100 + i, kStep);
             double weight = kAlbedo / std::numbers::pi, variance = 0;
             for (std::size_t k = 0; k < found.mean.size(); ++k, weight *= kAlbedo) {
                 truth.radiance[i] += weight * found.mean[k];

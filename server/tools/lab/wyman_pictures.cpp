@@ -61,18 +61,14 @@ double shadowDepth(const model::Frame& frame) {
 /// The same by path tracing in double at points of the two places.
 double trueDepth(const model::ScalarImage& image, double isovalue) {
     const reference::ScalarField field(image.size, std::vector<double>(image.values.begin(), image.values.end()));
-    const double cosine = std::cos(5 * std::numbers::pi / 180), sine2 = 1 - cosine * cosine;
-    const reference::Lights lights{[&](const glm::dvec3& d) {
-                                       return 0.2 +
-                                              (glm::dot(d, kSunDirection) > cosine ? 1.5 / (std::numbers::pi * sine2) : 0.0);
-                                   },
-                                   {}};
+    const reference::Lights lights{
+        [](const glm::dvec3&) { return 0.2; }, {}, {{kSunDirection, std::cos(5 * std::numbers::pi / 180), 1.5}}};
     const double z = 14 - (isovalue - 50) / 8, middle = 28 - (26 - z) * kSunDirection.y / kSunDirection.z;
     std::vector<double> found(8);
     parallelFor(found.size(), 1, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const glm::dvec3 p(20 + static_cast<double>(i % 4) * 2.3, middle + (i < 4 ? 0.0 : 9.0), z);
-            const auto light = reference::irradianceByBounce(field, isovalue, p, lights, 1, 20000, 17 + i);
+            const auto light = reference::irradianceByBounce(field, isovalue, p, lights, 1, 3000, 17 + i);
             found[i] = light.mean[0] + 0.7 * light.mean[1];
         }
     });
@@ -112,6 +108,24 @@ Report wymanFig4(gpu::Device& device, const Options& options) {
                               percent(own), percent(rest)});
     }
     bench.report.tables.push_back(table);
+    if (LabVolume head = headOrBall(48); head.head) {
+        LightBench cortex(device, options, "wyman-fig4", std::move(head.image), head.isovalue, head.name, 96);
+        Table other{head.name + "; error under the sun of 5 degrees by isovalue",
+                    {"isovalue", "own level sets", "texels on the shown surface"},
+                    {}};
+        for (const float isovalue : {50.0F, 60.0F, 70.0F}) {
+            model::FrameRequest request = cortex.request(LabSky::kSun);
+            request.scene.layers[0].surface().isovalue = isovalue;
+            LightBench::lightOf(request).samples_max = 128;
+            const LightTruth truth = lightTruth(cortex.renderer(), cortex.image(), request, kTruthPixels, 800);
+            const double rest = lightError(cortex.draw(request), truth);
+            LightBench::lightOf(request).project = false;
+            other.rows.push_back({shortNumber(isovalue), percent(lightError(cortex.draw(request), truth)), percent(rest)});
+        }
+        bench.report.tables.push_back(other);
+        bench.report.notes.push_back("the head is drawn with " + cortex.report.view);
+        bench.noteErrors();
+    }
     bench.report.notes.push_back("depth: one minus the light in the middle of the shadow over that beside it; 0 is no shadow");
     bench.report.notes.push_back(
         "texels between two voxels' isovalues mix shadows of cords of several radii: on their own level sets "

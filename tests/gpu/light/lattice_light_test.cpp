@@ -111,26 +111,34 @@ TEST_F(LatticeLight, VicinityIsTheSameByBothPayloads) {
     }
 }
 
-TEST_F(LatticeLight, StandardErrorsAreCalibrated) {
-    // Student's t for four replicates: 95 % of errors within 3.18 standard errors. Against texels of eight times the samples.
+TEST_F(LatticeLight, StandardErrorsAreCalibratedAndErrorsFallAtLeastAsRandomOnes) {
+    // Student's t for four replicates: 95 % of errors within 3.18 standard errors. Against texels of sixteen times the samples.
+    // Errors of random points fall with the root of the samples; those of low-discrepancy points as fast or faster.
     model::Illumination light = settings();
-    light.samples_max = 64;
     const auto data = volume(image_);
+    light.samples_max = 16;
+    const auto coarsest = full(data, light);
+    light.samples_max = 64;
     const auto coarse = full(data, light);
     light.samples_max = 1024;
     const auto fine = full(data, light);
     int within = 0, all = 0;
+    double squares_of_16 = 0, squares_of_64 = 0;
     const double luminance_weight[3] = {1, 0.7, 0.49};
     for (int z = 2; z < 16; z += 2) {
         for (int y = 2; y < 16; y += 1) {
             for (int x = 2; x < 16; x += 2) {
-                const std::vector<float> a = coarse->payload(device(), {x, y, z}), b = fine->payload(device(), {x, y, z});
-                if (a.empty() || b.empty()) continue;
-                double off = 0, mean = 0;
+                const std::vector<float> a = coarse->payload(device(), {x, y, z}), b = fine->payload(device(), {x, y, z}),
+                                         c = coarsest->payload(device(), {x, y, z});
+                if (a.empty() || b.empty() || c.empty()) continue;
+                double off = 0, off_of_16 = 0, mean = 0;
                 for (std::size_t k = 0; k < 3; ++k) {
                     off += luminance_weight[k] * (a[3 * k] - b[3 * k]);
+                    off_of_16 += luminance_weight[k] * (c[3 * k] - b[3 * k]);
                     mean += luminance_weight[k] * a[3 * k];
                 }
+                squares_of_16 += off_of_16 * off_of_16;
+                squares_of_64 += off * off;
                 const double error = coarse->relativeError(device(), {x, y, z}) * mean;
                 if (error == 0) continue;
                 ++all;
@@ -142,6 +150,7 @@ TEST_F(LatticeLight, StandardErrorsAreCalibrated) {
     // The finer texels have an error of their own, a quarter or less of it.
     EXPECT_GT(within, 0.90 * all);
     EXPECT_LT(within, 0.99 * all);
+    EXPECT_LT(std::log(squares_of_64 / squares_of_16) / 2 / std::log(64.0 / 16), -0.5) << "slope of errors against samples";
 }
 
 TEST_F(LatticeLight, HalvesAreAsGoodAsFloats) {

@@ -100,7 +100,7 @@ TEST_F(LatticeSettings, RgbOfEightBitsIsNearToFloats) {
     const auto wide = lit(light);
     light.storage = model::TexelStorage::kRgb8;
     const auto narrow = lit(light);
-    EXPECT_EQ(narrow->info().payload_bytes, 4 * narrow->pool().slotsUsed() * 512u);
+    EXPECT_EQ(narrow->info().payload_bytes, 4 * narrow->pool().slotsUsed() * shader::TEXELS_PER_BRICK);
     EXPECT_EQ(wide->info().payload_bytes, 9 * narrow->info().payload_bytes);
     // Roots of at most 1 in steps of a 255th: radiance r of at most s is off by at most sqrt(r s) / 255.
     const double scale = 1.5 * (0.9 + 0.4);

@@ -24,7 +24,7 @@ protected:
     static LatticePart part(const std::vector<std::uint32_t>& bricks) {
         LatticePart part;
         part.bricks = bricks;
-        for (std::size_t i = 0; i < 512 * bricks.size(); ++i) {
+        for (std::size_t i = 0; i < kTexelsPerBrick * bricks.size(); ++i) {
             part.states.push_back(static_cast<std::uint32_t>(i % 7) << 16U);
             for (int byte = 0; byte < 8; ++byte) part.payloads.push_back(static_cast<std::byte>(i * 31 + byte));
         }

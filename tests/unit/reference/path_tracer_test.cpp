@@ -132,6 +132,24 @@ TEST(PathTracer, GradientSkyOnAnUpwardPlane) {
     EXPECT_EQ(found.mean[1], 0) << "a plane does not see itself";
 }
 
+TEST(PathTracer, DiscsThatAreLookedForAreThoseThatAreMetByChance) {
+    // In a cavity that the disc shines into, on its rim's light and shadow: the first point and what bounces.
+    const glm::dvec3 centre(11.5), towards = glm::normalize(glm::dvec3(0.4, -0.2, 0.9));
+    const ScalarField field(glm::ivec3(24), [&](const glm::dvec3& p) {
+        return std::min(8 - glm::length(p - centre), glm::length(p - centre - glm::dvec3(0, 0, 8)) - 6);
+    });
+    const double cosine = std::cos(0.4), sine2 = 1 - cosine * cosine;
+    const auto sky = [&](const glm::dvec3& d) { return glm::dot(d, towards) > cosine ? 2 / (kPi * sine2) : 0.0; };
+    const glm::dvec3 p = onSurface(field, centre + glm::dvec3(0, 0, 11), {0.1, 0, -1}, 0);
+    const PathMeans met = irradianceByBounce(field, 0, p, {sky, {}}, 1, 20000, 12);
+    const PathMeans sought = irradianceByBounce(field, 0, p, {{}, {}, {{towards, cosine, 2}}}, 1, 2000, 13);
+    for (std::size_t k = 0; k < 2; ++k) {
+        EXPECT_NEAR(sought.mean[k], met.mean[k], kErrors * std::hypot(sought.standard_error[k], met.standard_error[k])) << k;
+        EXPECT_LT(sought.standard_error[k], 3 * met.standard_error[k]) << "from a tenth of the paths";
+    }
+    EXPECT_GT(sought.mean[0], 1);
+}
+
 TEST(PathTracer, IsLinearInTheLight) {
     const glm::dvec3 centre(11.5);
     const ScalarField field(glm::ivec3(24), [&](const glm::dvec3& p) {

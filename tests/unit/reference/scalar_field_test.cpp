@@ -72,8 +72,11 @@ TEST(ScalarField, IsExactForLinearFields) {
     const glm::dvec3 p(3.25, 4.5, 2.875);
     EXPECT_NEAR(volume.value(p), glm::dot(slope, p) - 3, 1e-12);
     EXPECT_LT(glm::length(volume.gradient(p) - slope), 1e-12);
-    EXPECT_LT(glm::length(volume.splineGradient(p) - slope), 1e-12);
-    EXPECT_NEAR(volume.splineValue(p), glm::dot(slope, p) - 3, 1e-12);
+    // At the volume's faces, edges and corners too.
+    for (const glm::dvec3& at : {p, glm::dvec3(0.25, 4.5, 2.875), glm::dvec3(8, 6.5, 0), glm::dvec3(0), glm::dvec3(8, 7, 6)}) {
+        EXPECT_LT(glm::length(volume.splineGradient(at) - slope), 1e-12);
+        EXPECT_NEAR(volume.splineValue(at), glm::dot(slope, at) - 3, 1e-12);
+    }
 }
 
 TEST(ScalarField, SplineHasTheGradientOfQuadraticFieldsAndAValueAThirdOfTheCurvatureHigher) {
