@@ -66,7 +66,7 @@ void Conductor::update(std::uint64_t id, const Change& change) {
     if (change.camera || change.scene || change.quality || change.size) {
         const model::FrameRequest merged = view.merged(change);
         model::validate(merged, settings_.limits);
-        if (change.scene && !backend_.resident(merged)) {
+        if ((change.scene || change.quality) && !backend_.resident(merged)) {
             load(id, merged);
             ++found->second->loading;
         }

@@ -100,6 +100,42 @@ TEST(Loading, ScenesOfWhatIsThereChangeWhileAllReadersAreBusy) {
     for (auto& status : waiting) EXPECT_TRUE(status.get().ok());
 }
 
+TEST(Loading, AMethodThatNeedsWorkBeforeItsFirstPictureHoldsUpItsOwnViewOnly) {
+    std::promise<void> gate;
+    std::shared_future<void> opened = gate.get_future().share();
+    std::atomic<bool> there{false};
+    session::Backend backend = session::stubBackend(milliseconds(1));
+    const auto triangles = [](const model::FrameRequest& request) {
+        return request.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes;
+    };
+    backend.resident = [&](const model::FrameRequest& request) { return !triangles(request) || there; };
+    backend.load = [&](const model::FrameRequest&) {
+        opened.wait();
+        there = true;
+    };
+    backend.render = [&, draw = backend.render](std::uint64_t view, const model::FrameRequest& request, int first, int count,
+                                                const model::Outputs& outputs, const std::atomic<bool>* cancel) {
+        if (triangles(request) && !there) throw Error(Code::kInternal, "drawn before its triangles were there");
+        return draw(view, request, first, count, outputs, cancel);
+    };
+    Rig rig(std::move(backend));
+    Viewer changing(rig.channel(), frameRequest()), other(rig.channel(), frameRequest());
+    ASSERT_TRUE(changing.waitFor(any));
+    ASSERT_TRUE(other.waitFor(any));
+    v1::UpdateRequest update;
+    update.set_camera_sequence(7);
+    *update.mutable_quality() = frameRequest().quality();
+    update.mutable_quality()->mutable_isosurface()->set_method(v1::SURFACE_METHOD_MARCHING_CUBES);
+    ASSERT_TRUE(changing.update(update).ok());
+    ASSERT_TRUE(other.move(1, 0.5).ok());
+    EXPECT_TRUE(other.waitFor([](const v1::Frame& frame) { return frame.camera_sequence() == 1; }));
+    EXPECT_FALSE(there);
+    gate.set_value();
+    EXPECT_TRUE(changing.waitFor([](const v1::Frame& frame) {
+        return frame.request().quality().isosurface().method() == v1::SURFACE_METHOD_MARCHING_CUBES;
+    }));
+}
+
 TEST(Loading, ABrokenFileEndsTheViewWithItsSentence) {
     Large large;
     Rig rig(large.backend(true));
