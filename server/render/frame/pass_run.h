@@ -19,6 +19,7 @@
 #include "render/glyph/glyph_scene.h"
 #include "render/light/lattice.h"
 #include "render/light/path_light.h"
+#include "store/surface_triangles.h"
 
 namespace radiata::store {
 class VolumeDataset;
