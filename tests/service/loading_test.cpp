@@ -136,6 +136,34 @@ TEST(Loading, AMethodThatNeedsWorkBeforeItsFirstPictureHoldsUpItsOwnViewOnly) {
     }));
 }
 
+TEST(Loading, WhoDragsASettingWaitsForItsLastValueOnly) {
+    std::promise<void> gate;
+    std::shared_future<void> opened = gate.get_future().share();
+    std::atomic<float> there{0.5F};  // the step, in place of whatever something is made for
+    std::atomic<int> loads{0};
+    session::Backend backend = session::stubBackend(milliseconds(1));
+    backend.resident = [&](const model::FrameRequest& request) { return request.quality.isosurface.step == there; };
+    backend.load = [&](const model::FrameRequest& request) {
+        ++loads;
+        opened.wait();
+        there = request.quality.isosurface.step;
+    };
+    Rig rig(std::move(backend));
+    Viewer viewer(rig.channel(), frameRequest());
+    ASSERT_TRUE(viewer.waitFor(any));
+    v1::UpdateRequest update;
+    *update.mutable_quality() = frameRequest().quality();
+    for (std::uint64_t step = 1; step <= 9; ++step) {
+        update.set_camera_sequence(step);
+        update.mutable_quality()->mutable_isosurface()->set_step(0.5F + 0.25F * static_cast<float>(step));
+        ASSERT_TRUE(viewer.update(update).ok());
+    }
+    gate.set_value();
+    EXPECT_TRUE(viewer.waitFor(
+        [](const v1::Frame& frame) { return frame.request().quality().isosurface().step() == 0.5F + 0.25F * 9; }));
+    EXPECT_EQ(loads, 2) << "the first value's, and the last one's";
+}
+
 TEST(Loading, ABrokenFileEndsTheViewWithItsSentence) {
     Large large;
     Rig rig(large.backend(true));
