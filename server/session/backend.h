@@ -49,7 +49,8 @@ struct Backend {
                                                      const std::filesystem::path& file)>
         write_fibres;
 
-    /// Whether all datasets of the request are in memory; answers at once.
+    /// Whether all that the request is drawn from is there: its datasets, those of its regions, triangles that are made for an
+    /// isovalue. Answers at once.
     std::function<bool(const model::FrameRequest& request)> resident;
     /// Brings them there, which may take long. \throws what rendering the request would
     std::function<void(const model::FrameRequest& request)> load;

@@ -51,8 +51,8 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
     }
     const std::uint64_t id = ++last_id_;
     if (!ready) load(id, request);
-    views_.emplace(id, std::make_shared<Entry>(
-                           Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), ready ? 0 : 1}));
+    views_.emplace(
+        id, std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), !ready}));
     changed_.notify_all();
     return id;
 }
@@ -66,9 +66,10 @@ void Conductor::update(std::uint64_t id, const Change& change) {
     if (change.camera || change.scene || change.quality || change.size) {
         const model::FrameRequest merged = view.merged(change);
         model::validate(merged, settings_.limits);
-        if (change.scene && !backend_.resident(merged)) {
+        // While one load is under way the next waits, so that who drags an isovalue waits for the last value, not for all.
+        if ((change.scene || change.quality) && !found->second->loading && !backend_.resident(merged)) {
             load(id, merged);
-            ++found->second->loading;
+            found->second->loading = true;
         }
     }
     const bool different = view.apply(change, Clock::now());
@@ -98,9 +99,16 @@ void Conductor::load(std::uint64_t id, const model::FrameRequest& request) {
 void Conductor::loaded(std::uint64_t id, const std::optional<Error>& failure) {
     Lock lock(mutex_);
     changed_.notify_all();
-    if (const auto view = views_.find(id); view != views_.end()) {
-        --view->second->loading;
-        if (failure) endView(lock, id, *failure);
+    if (const auto found = views_.find(id); found != views_.end()) {
+        std::optional<Error> problem = failure;
+        try {
+            const model::FrameRequest latest = found->second->view.merged({});
+            found->second->loading = !problem && !backend_.resident(latest);
+            if (found->second->loading) load(id, latest);
+        } catch (...) {
+            problem = currentError();
+        }
+        if (problem) endView(lock, id, *problem);
         return;
     }
     const auto found = jobs_.find(id);

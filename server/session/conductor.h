@@ -77,7 +77,7 @@ private:
     struct Entry {
         View view;
         ViewCallbacks callbacks;
-        int loading = 0;  ///< requests whose datasets are being read; nothing is drawn meanwhile
+        bool loading = false;  ///< what its request needs is being brought; nothing is drawn meanwhile
     };
     struct Running {
         std::uint64_t id = 0;

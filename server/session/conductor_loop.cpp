@@ -55,7 +55,7 @@ std::optional<Conductor::Choice> Conductor::chooseView(Clock::time_point now, bo
     auto position = views_.upper_bound(served);
     for (std::size_t i = 0; i < views_.size(); ++i, ++position) {
         if (position == views_.end()) position = views_.begin();
-        if (position->second->loading > 0) continue;
+        if (position->second->loading) continue;
         if (position->second->view.interactivePending() != interactive) continue;
         if (const std::optional<Step> step = position->second->view.next(now))
             return Choice{position->second, position->first, *step};
@@ -85,7 +85,7 @@ void Conductor::waitForWork(Lock& lock) {
     std::optional<Clock::time_point> wake;
     if (encoders_.hasRoom()) {
         for (const auto& [id, entry] : views_) {
-            if (entry->loading > 0) continue;
+            if (entry->loading) continue;
             const auto at = entry->view.wakeAt();
             if (at && (!wake || *at < *wake)) wake = at;
         }

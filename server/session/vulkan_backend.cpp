@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 
+#include "base/error.h"
 #include "build/fibre_selection.h"
 #include "io/tractogram.h"
 #include "model/selection_text.h"
@@ -18,7 +19,30 @@ model::SelectedFibres select(store::Store& store, const std::string& id, const s
     return {bits.size(), bits.fibres()};
 }
 
-/// Ids of all datasets that the request is drawn from; tractograms name those of their regions when they are selected from.
+/// Masks and meshes of the regions that a selection names.
+void addRegions(const model::Selection& selection, std::vector<std::string>& ids) {
+    for (const model::FibreRegion& region : selection.regions) {
+        if (!region.dataset.empty()) ids.push_back(region.dataset);
+    }
+    for (const model::Selection& child : selection.children) addRegions(child, ids);
+}
+
+/// What cannot be read as a selection or region names nothing; whoever checks the request says what is wrong with it.
+void addRegions(const model::TractogramLayer& fibres, std::vector<std::string>& ids) {
+    std::vector<std::string> texts{fibres.shown.selection};
+    if (fibres.selected) texts.push_back(fibres.selected->selection);
+    // A region alone is a selection too.
+    for (const model::FibreRegionCut& cut : fibres.region_cuts) texts.push_back(cut.region);
+    if (fibres.colour.mode == model::FibreColourMode::kDistance) texts.push_back(fibres.colour.region);
+    for (const std::string& text : texts) {
+        try {
+            if (!text.empty()) addRegions(model::parseSelection(text), ids);
+        } catch (const Error&) {
+        }
+    }
+}
+
+/// Ids of all datasets that the request is drawn from.
 std::vector<std::string> datasetsOf(const model::FrameRequest& request) {
     std::vector<std::string> ids;
     for (const model::Layer& layer : request.scene.layers) {
@@ -27,6 +51,7 @@ std::vector<std::string> datasetsOf(const model::FrameRequest& request) {
             if (glyphs->uncertainty) ids.push_back(glyphs->uncertainty->dataset_id);
             if (glyphs->colour.mode == model::ColourMode::kScalar) ids.push_back(glyphs->colour.image_id);
         }
+        if (const model::TractogramLayer* fibres = layer.ifTracts()) addRegions(*fibres, ids);
         const model::IsosurfaceLayer* surface = layer.ifSurface();
         if (surface && surface->colour_by) ids.push_back(surface->colour_by->image_id);
     }
@@ -35,15 +60,30 @@ std::vector<std::string> datasetsOf(const model::FrameRequest& request) {
     return ids;
 }
 
+bool drawsTriangles(const model::FrameRequest& request, const model::Layer& layer) {
+    return layer.opacity >= 1 && request.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes;
+}
+
 bool resident(store::Store& store, const model::FrameRequest& request) {
     const std::vector<std::string> ids = datasetsOf(request);
-    return std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return store.resident(id); });
+    if (!std::ranges::all_of(ids, [&](const std::string& id) { return store.resident(id); })) return false;
+    return std::ranges::all_of(request.scene.layers, [&](const model::Layer& layer) {
+        const model::IsosurfaceLayer* surface = layer.ifSurface();
+        if (surface == nullptr) return true;
+        return store.volumeResident(surface->dataset_id) &&
+               (!surface->colour_by || store.volumeResident(surface->colour_by->image_id)) &&
+               (!drawsTriangles(request, layer) || store.trianglesResident(surface->dataset_id, surface->isovalue));
+    });
 }
 
 void load(store::Store& store, const model::FrameRequest& request) {
     for (const std::string& id : datasetsOf(request)) store.info(id);
     for (const model::Layer& layer : request.scene.layers) {
-        if (layer.ifSurface()) store.volume(layer.datasetId());
+        const model::IsosurfaceLayer* surface = layer.ifSurface();
+        if (surface == nullptr) continue;
+        store.volume(surface->dataset_id);
+        if (surface->colour_by) store.volume(surface->colour_by->image_id);
+        if (drawsTriangles(request, layer)) store.triangles(surface->dataset_id, surface->isovalue);
     }
 }
 

@@ -21,6 +21,7 @@
 #include "store/glyph_dataset.h"
 #include "store/lattice_files.h"
 #include "store/scalar_dataset.h"
+#include "store/surface_triangles.h"
 #include "store/tract_files.h"
 #include "store/volume_dataset.h"
 
@@ -60,6 +61,7 @@ struct Store::Impl {
     std::filesystem::path tract_cache, lattice_folder;
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
+    TriangleCache triangles;
 
     std::shared_ptr<Slot> find(const std::string& id) {
         std::lock_guard lock(mutex);
@@ -108,7 +110,7 @@ struct Store::Impl {
 };
 
 Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
-    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}}) {}
+    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
@@ -286,6 +288,11 @@ std::shared_ptr<const VolumeDataset> Store::volume(const std::string& id) {
     return slot->volume;
 }
 
+std::shared_ptr<const SurfaceTriangles> Store::triangles(const std::string& id, const std::optional<float>& isovalue) {
+    const float value = isovalue ? *isovalue : volume(id)->valueSplit();
+    return impl_->triangles.get(impl_->device, scalars(id), value);
+}
+
 model::DatasetInfo Store::info(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
@@ -299,7 +306,19 @@ model::DatasetInfo Store::info(const std::string& id) {
 bool Store::resident(const std::string& id) const {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::unique_lock lock(slot->loading, std::try_to_lock);
-    return lock && (slot->dataset || slot->scalars || slot->fiblets || slot->environment);
+    return lock && (slot->dataset || slot->scalars || slot->fiblets || slot->environment || slot->mesh);
+}
+
+bool Store::volumeResident(const std::string& id) const {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::unique_lock lock(slot->loading, std::try_to_lock);
+    return lock && slot->volume;
+}
+
+bool Store::trianglesResident(const std::string& id, const std::optional<float>& isovalue) const {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::unique_lock lock(slot->loading, std::try_to_lock);
+    return lock && slot->volume && impl_->triangles.has(slot->scalars, isovalue.value_or(slot->volume->valueSplit()));
 }
 
 std::vector<model::DatasetInfo> Store::list() {

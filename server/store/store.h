@@ -29,6 +29,7 @@ namespace radiata::store {
 
 class GlyphDataset;
 class ScalarDataset;
+struct SurfaceTriangles;
 class VolumeDataset;
 
 struct CatalogEntry {
@@ -73,6 +74,9 @@ public:
     model::DatasetInfo info(const std::string& id);
     /// Whether the dataset is loaded, without waiting for one that just loads. \throws Error(kNotFound)
     bool resident(const std::string& id) const;
+    /// The same of what volume() and triangles() give.
+    bool volumeResident(const std::string& id) const;
+    bool trianglesResident(const std::string& id, const std::optional<float>& isovalue) const;
     /// The dataset, loaded if it was not; other datasets stay available meanwhile.
     /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
@@ -88,6 +92,9 @@ public:
     std::shared_ptr<const model::TriangleMesh> mesh(const std::string& id);
     /// A scalar volume on the device, for isosurfaces; put there by the first call.
     std::shared_ptr<const VolumeDataset> volume(const std::string& id);
+    /// The triangles of one isovalue, or of that which splits the volume best; the latest few are kept.
+    /// \throws as volume() and marchCubes()
+    std::shared_ptr<const SurfaceTriangles> triangles(const std::string& id, const std::optional<float>& isovalue);
 
 private:
     struct Impl;

@@ -104,6 +104,50 @@ TEST_F(GlobalLight, OfAConvexSurfaceUnderAnEvenSkyIsEven) {
     }
 }
 
+TEST_F(GlobalLight, KnowsWorldDirectionsOnShearedAndMirroredGrids) {
+    // A ball of 9 mm in the world. Under the sky a + g (d . up) a convex surface with the normal n has the radiance
+    // albedo (a + 2/3 g (n . up)), whatever its grid.
+    for (const bool mirrored : {false, true}) {
+        model::ScalarImage image;
+        image.size = glm::ivec3(26);
+        image.source = "ball";
+        image.voxel_to_world[0] = {mirrored ? -1.1 : 1.1, 0.3, -0.2, 0};
+        image.voxel_to_world[1] = {-0.4, 1.2, 0.5, 0};
+        image.voxel_to_world[2] = {0.3, -0.3, 1.3, 0};
+        image.voxel_to_world[3] = glm::dvec4(-glm::dmat3(image.voxel_to_world) * glm::dvec3(12.5), 1);
+        for (int n = 0; n < 26 * 26 * 26; ++n) {
+            const glm::dvec4 voxel(n % 26, n / 26 % 26, n / 676, 1);
+            image.values.push_back(static_cast<float>(9 - glm::length(glm::dvec3(image.voxel_to_world * voxel))));
+        }
+        const std::string id = mirrored ? "mirrored" : "sheared";
+        store.add(id, image);
+        model::FrameRequest wanted = request(0);
+        wanted.scene.layers[0].surface().dataset_id = id;
+        const glm::dvec3 up = glm::normalize(glm::dvec3(1, -1, 2));
+        lightOf(wanted).sky = {glm::vec3(0.6F), glm::vec3(0.5F), up};
+        lightOf(wanted).relative_error = 0.03F;
+        lightOf(wanted).samples_max = 256;
+        for (const model::TexelPayload payload : {model::TexelPayload::kIrradiance, model::TexelPayload::kTransfer}) {
+            lightOf(wanted).payload = payload;
+            const model::Frame frame = renderer.renderAll(wanted, everything());
+            int hits = 0;
+            double off = 0;
+            for (std::size_t i = 0; i < 64 * 48; ++i) {
+                const glm::dvec3 n(frame.pixels.normal[3 * i], frame.pixels.normal[3 * i + 1], frame.pixels.normal[3 * i + 2]);
+                // Pixels at the outline are partly background.
+                const glm::dvec3 towards = glm::normalize(wanted.camera.eye_mm);
+                if (frame.pixels.id[4 * i] != 0 || glm::dot(n, towards) < 0.5) continue;
+                ++hits;
+                const double error = radiance(frame, i) - 0.7 * (0.6 + 2.0 / 3 * 0.5 * glm::dot(n, up));
+                off += error;
+                EXPECT_NEAR(error, 0, 0.04) << id << " " << i;
+            }
+            EXPECT_GT(hits, 700);
+            EXPECT_NEAR(off / hits, 0, 0.01);
+        }
+    }
+}
+
 TEST_F(GlobalLight, LooksOnlyAtWhatIsSeenAndReachesTheErrorThatWasAskedFor) {
     store.add("volume", foldedBall(32));
     model::FrameRequest wanted = request(30);

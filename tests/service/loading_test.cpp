@@ -100,6 +100,70 @@ TEST(Loading, ScenesOfWhatIsThereChangeWhileAllReadersAreBusy) {
     for (auto& status : waiting) EXPECT_TRUE(status.get().ok());
 }
 
+TEST(Loading, AMethodThatNeedsWorkBeforeItsFirstPictureHoldsUpItsOwnViewOnly) {
+    std::promise<void> gate;
+    std::shared_future<void> opened = gate.get_future().share();
+    std::atomic<bool> there{false};
+    session::Backend backend = session::stubBackend(milliseconds(1));
+    const auto triangles = [](const model::FrameRequest& request) {
+        return request.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes;
+    };
+    backend.resident = [&](const model::FrameRequest& request) { return !triangles(request) || there; };
+    backend.load = [&](const model::FrameRequest&) {
+        opened.wait();
+        there = true;
+    };
+    backend.render = [&, draw = backend.render](std::uint64_t view, const model::FrameRequest& request, int first, int count,
+                                                const model::Outputs& outputs, const std::atomic<bool>* cancel) {
+        if (triangles(request) && !there) throw Error(Code::kInternal, "drawn before its triangles were there");
+        return draw(view, request, first, count, outputs, cancel);
+    };
+    Rig rig(std::move(backend));
+    Viewer changing(rig.channel(), frameRequest()), other(rig.channel(), frameRequest());
+    ASSERT_TRUE(changing.waitFor(any));
+    ASSERT_TRUE(other.waitFor(any));
+    v1::UpdateRequest update;
+    update.set_camera_sequence(7);
+    *update.mutable_quality() = frameRequest().quality();
+    update.mutable_quality()->mutable_isosurface()->set_method(v1::SURFACE_METHOD_MARCHING_CUBES);
+    ASSERT_TRUE(changing.update(update).ok());
+    ASSERT_TRUE(other.move(1, 0.5).ok());
+    EXPECT_TRUE(other.waitFor([](const v1::Frame& frame) { return frame.camera_sequence() == 1; }));
+    EXPECT_FALSE(there);
+    gate.set_value();
+    EXPECT_TRUE(changing.waitFor([](const v1::Frame& frame) {
+        return frame.request().quality().isosurface().method() == v1::SURFACE_METHOD_MARCHING_CUBES;
+    }));
+}
+
+TEST(Loading, WhoDragsASettingWaitsForItsLastValueOnly) {
+    std::promise<void> gate;
+    std::shared_future<void> opened = gate.get_future().share();
+    std::atomic<float> there{0.5F};  // the step, in place of whatever something is made for
+    std::atomic<int> loads{0};
+    session::Backend backend = session::stubBackend(milliseconds(1));
+    backend.resident = [&](const model::FrameRequest& request) { return request.quality.isosurface.step == there; };
+    backend.load = [&](const model::FrameRequest& request) {
+        ++loads;
+        opened.wait();
+        there = request.quality.isosurface.step;
+    };
+    Rig rig(std::move(backend));
+    Viewer viewer(rig.channel(), frameRequest());
+    ASSERT_TRUE(viewer.waitFor(any));
+    v1::UpdateRequest update;
+    *update.mutable_quality() = frameRequest().quality();
+    for (std::uint64_t step = 1; step <= 9; ++step) {
+        update.set_camera_sequence(step);
+        update.mutable_quality()->mutable_isosurface()->set_step(0.5F + 0.25F * static_cast<float>(step));
+        ASSERT_TRUE(viewer.update(update).ok());
+    }
+    gate.set_value();
+    EXPECT_TRUE(viewer.waitFor(
+        [](const v1::Frame& frame) { return frame.request().quality().isosurface().step() == 0.5F + 0.25F * 9; }));
+    EXPECT_EQ(loads, 2) << "the first value's, and the last one's";
+}
+
 TEST(Loading, ABrokenFileEndsTheViewWithItsSentence) {
     Large large;
     Rig rig(large.backend(true));

@@ -15,11 +15,11 @@
 #include "render/fiblet/fibre_look.h"
 #include "render/fiblet/fibre_vertices.h"
 #include "render/frame/pipelines.h"
-#include "render/frame/surface_triangles.h"
 #include "render/frame/target.h"
 #include "render/glyph/glyph_scene.h"
 #include "render/light/lattice.h"
 #include "render/light/path_light.h"
+#include "store/surface_triangles.h"
 
 namespace radiata::store {
 class VolumeDataset;
@@ -31,14 +31,14 @@ namespace radiata::render {
 struct DrawnLayer {
     GlyphScene* glyphs = nullptr;
     std::shared_ptr<const FibletScene> tracts;
-    std::optional<FibreLook> fibres;                      ///< of tracts
-    std::shared_ptr<const FibreVertices> vertices;        ///< of tracts, for pipelines that draw uncompressed points
-    std::shared_ptr<const store::ScalarDataset> scalars;  ///< that colour the layer, if any do
-    std::shared_ptr<const store::VolumeDataset> volume;   ///< of an isosurface
-    std::shared_ptr<const store::VolumeDataset> colours;  ///< what colours an isosurface, if another volume does
-    std::shared_ptr<const SurfaceTriangles> triangles;    ///< of an isosurface that is drawn by them
-    std::shared_ptr<const PathLight> path_light;          ///< of an isosurface whose pixels are path-traced
-    plan::SceneBounds bounds;                             ///< world
+    std::optional<FibreLook> fibres;                           ///< of tracts
+    std::shared_ptr<const FibreVertices> vertices;             ///< of tracts, for pipelines that draw uncompressed points
+    std::shared_ptr<const store::ScalarDataset> scalars;       ///< that colour the layer, if any do
+    std::shared_ptr<const store::VolumeDataset> volume;        ///< of an isosurface
+    std::shared_ptr<const store::VolumeDataset> colours;       ///< what colours an isosurface, if another volume does
+    std::shared_ptr<const store::SurfaceTriangles> triangles;  ///< of an isosurface that is drawn by them
+    std::shared_ptr<const PathLight> path_light;               ///< of an isosurface whose pixels are path-traced
+    plan::SceneBounds bounds;                                  ///< world
     /// Of an isosurface with global light: texels on their own level sets, and those on the shown surface, which a picture at
     /// rest has in their place unless it is off; or null.
     std::shared_ptr<IlluminationLattice> lattice, rest_lattice;

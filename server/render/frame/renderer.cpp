@@ -101,7 +101,6 @@ struct Renderer::Impl {
     std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
     FrameLattices lattices;
     PathLights path_lights;
-    IsosurfaceTriangles triangles;
     FibreScenes tracts;
     Target own_target, pick_target;
 
@@ -165,8 +164,7 @@ struct Renderer::Impl {
             result.bounds = volumeBounds(*result.volume);
             if (surface->colour_by) result.colours = store.volume(surface->colour_by->image_id);
             if (quality.isosurface.method == model::SurfaceMethod::kMarchingCubes && layer.opacity >= 1) {
-                result.triangles = triangles.get(device, store.scalars(surface->dataset_id),
-                                                 surface->isovalue.value_or(result.volume->valueSplit()));
+                result.triangles = store.triangles(surface->dataset_id, surface->isovalue);
             }
         }
         return result;

@@ -1,4 +1,4 @@
-#include "render/frame/surface_triangles.h"
+#include "store/surface_triangles.h"
 
 #include <algorithm>
 #include <span>
@@ -7,7 +7,7 @@
 #include "gpu/device.h"
 #include "shaders/shared/surface_mesh.glsl"
 
-namespace radiata::render {
+namespace radiata::store {
 namespace {
 
 constexpr std::size_t kKept = 4;
@@ -20,7 +20,7 @@ gpu::Buffer uploaded(gpu::Device& device, std::span<const T> values, const char*
     return buffer;
 }
 
-std::shared_ptr<const SurfaceTriangles> made(gpu::Device& device, const std::shared_ptr<const store::ScalarDataset>& volume,
+std::shared_ptr<const SurfaceTriangles> made(gpu::Device& device, const std::shared_ptr<const ScalarDataset>& volume,
                                              float isovalue) {
     auto result = std::make_shared<SurfaceTriangles>();
     result->volume = volume;
@@ -41,18 +41,31 @@ std::shared_ptr<const SurfaceTriangles> made(gpu::Device& device, const std::sha
 
 }  // namespace
 
-std::shared_ptr<const SurfaceTriangles> IsosurfaceTriangles::get(gpu::Device& device,
-                                                                 const std::shared_ptr<const store::ScalarDataset>& volume,
-                                                                 float isovalue) {
+bool TriangleCache::has(const std::shared_ptr<const ScalarDataset>& volume, float isovalue) const {
+    std::lock_guard lock(mutex_);
+    return std::ranges::any_of(kept_, [&](const auto& one) { return one->volume == volume && one->isovalue == isovalue; });
+}
+
+std::shared_ptr<const SurfaceTriangles> TriangleCache::find(const std::shared_ptr<const ScalarDataset>& volume,
+                                                            float isovalue) {
+    std::lock_guard lock(mutex_);
     const auto found =
         std::ranges::find_if(kept_, [&](const auto& one) { return one->volume == volume && one->isovalue == isovalue; });
-    if (found != kept_.end()) {
-        kept_.splice(kept_.begin(), kept_, found);
-        return kept_.front();
-    }
-    kept_.push_front(made(device, volume, isovalue));
-    if (kept_.size() > kKept) kept_.pop_back();
+    if (found == kept_.end()) return nullptr;
+    kept_.splice(kept_.begin(), kept_, found);
     return kept_.front();
 }
 
-}  // namespace radiata::render
+std::shared_ptr<const SurfaceTriangles> TriangleCache::get(gpu::Device& device,
+                                                           const std::shared_ptr<const ScalarDataset>& volume, float isovalue) {
+    if (auto there = find(volume, isovalue)) return there;
+    std::lock_guard one_at_a_time(making_);
+    if (auto there = find(volume, isovalue)) return there;
+    auto triangles = made(device, volume, isovalue);
+    std::lock_guard lock(mutex_);
+    kept_.push_front(triangles);
+    if (kept_.size() > kKept) kept_.pop_back();
+    return triangles;
+}
+
+}  // namespace radiata::store
