@@ -47,7 +47,9 @@ protected:
         request.width = 24;
         request.height = 16;
         request.quality.samples = 1;
-        request.scene.layers.emplace_back().content = model::IsosurfaceLayer{.dataset_id = id};
+        model::IsosurfaceLayer layer;
+        layer.dataset_id = id;
+        request.scene.layers.emplace_back().content = layer;
         request.camera.eye_mm = {60, -80, 40};
         return request;
     }
@@ -148,7 +150,9 @@ TEST_F(Volumes, AllThatAPictureNeedsIsBroughtBesideTheRenderThread) {
     EXPECT_FALSE(backend.resident(surface)) << "no bricks yet";
     backend.load(surface);
     EXPECT_TRUE(backend.resident(surface));
-    surface.scene.layers[0].surface().colour_by = model::VolumeColour{.image_id = "colours"};
+    model::VolumeColour colours;
+    colours.image_id = "colours";
+    surface.scene.layers[0].surface().colour_by = colours;
     EXPECT_FALSE(backend.resident(surface));
     backend.load(surface);
     EXPECT_TRUE(backend.resident(surface));
@@ -164,7 +168,8 @@ TEST_F(Volumes, AllThatAPictureNeedsIsBroughtBesideTheRenderThread) {
     EXPECT_FALSE(backend.resident(surface)) << "another isovalue has other triangles";
 
     model::FrameRequest tracts;
-    model::TractogramLayer layer{.dataset_id = "tracts"};
+    model::TractogramLayer layer;
+    layer.dataset_id = "tracts";
     layer.shown.selection = "any mask(mask) or not length(0, 5)";
     layer.region_cuts.push_back({.region = "mesh(tissue)"});
     layer.colour.mode = model::FibreColourMode::kDistance;
