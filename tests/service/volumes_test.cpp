@@ -91,7 +91,7 @@ TEST_F(Volumes, BadOnesAreRefusedInWordsWhileAnotherViewGoesOn) {
         bool sky = false;
     };
     const Case cases[] = {
-        {"ball", 1e6F, grpc::StatusCode::INVALID_ARGUMENT, "isovalue is 1000000; 'ball' has values from "},
+        {"ball", 1e6F, grpc::StatusCode::INVALID_ARGUMENT, "isovalue is 1e+06; 'ball' has values from "},
         {"ball", kNan, grpc::StatusCode::INVALID_ARGUMENT, "isovalue is nan; it must be a finite value"},
         {"voxel", 1, grpc::StatusCode::INVALID_ARGUMENT, "1 x 1 x 1 voxels; an isosurface needs at least 2 along each axis"},
         {"slice", 1, grpc::StatusCode::INVALID_ARGUMENT, "8 x 8 x 1 voxels"},
