@@ -11,6 +11,7 @@
 #include "io/fiblet_check.h"
 #include "io/fiblet_file.h"
 #include "io/fiblet_layout.h"
+#include "io/fiblet_page_file.h"
 
 namespace radiata::io {
 namespace {
@@ -117,10 +118,37 @@ public:
         set.codes.push_back(0);
         checkPages(set, words, checks);
         checkFiblets(set, words, name_);
+        set.file = pageFile(set.pages, std::move(checks), words);
         return set;
     }
 
+    std::shared_ptr<const model::FibletPageSource> pages() {
+        std::vector<shader::FibletPage> pages;
+        std::vector<std::uint32_t> checks;
+        for (const Section& section : sections_) {
+            if (section.kind != kPages && section.kind != kPageChecks) continue;
+            source_.skipTo(section.offset);
+            if (section.kind == kPages) {
+                pages.resize(section.bytes / sizeof(shader::FibletPage));
+                read(std::as_writable_bytes(std::span(pages)));
+            } else {
+                checks.resize(section.bytes / 4);
+                read(std::as_writable_bytes(std::span(checks)));
+            }
+        }
+        if (pages.size() != checks.size()) fail("has " + std::to_string(checks.size()) + " checksums of pages");
+        return pageFile(pages, std::move(checks), section(kCodes).bytes / 4);
+    }
+
 private:
+    const Section& section(std::uint32_t kind) const { return *std::ranges::find(sections_, kind, &Section::kind); }
+
+    std::shared_ptr<const model::FibletPageSource> pageFile(const std::vector<shader::FibletPage>& pages,
+                                                            std::vector<std::uint32_t> checks, std::uint64_t words) const {
+        return std::make_shared<const FibletPageFile>(source_.path(), pages, std::move(checks), section(kHeads).offset,
+                                                      section(kCodes).offset, words);
+    }
+
     [[noreturn]] void fail(const std::string& what) const { throw Error(Code::kCorrupt, name_ + ": " + what); }
 
     void read(std::span<std::byte> out) {
@@ -254,6 +282,10 @@ private:
 bool isFibletName(const std::filesystem::path& path) { return path.extension() == ".fiblet"; }
 
 model::FibletSet readFiblets(const std::filesystem::path& path) { return Reader(path).all(); }
+
+std::shared_ptr<const model::FibletPageSource> openFibletPages(const std::filesystem::path& path) {
+    return Reader(path).pages();
+}
 
 model::FibletSet readFibletHeader(const std::filesystem::path& path) { return Reader(path).head(); }
 

@@ -65,6 +65,20 @@ model::FibletPipeline choosePipeline(model::FibletPipeline wanted, const Abiliti
     return wanted;
 }
 
+/// \throws Error(kUnsupported) for what needs all fiblets at once
+void checkPaged(const FibletPlan& fiblets, const model::Quality& quality, const std::string& where) {
+    const std::string what = fiblets.pipeline != model::FibletPipeline::kAtomic
+                                 ? "by the fiblet pipeline " + std::string(model::pipelineName(fiblets.pipeline))
+                             : fiblets.culling == model::FibletCulling::kNone     ? "without culling"
+                             : fiblets.culling == model::FibletCulling::kCoverage ? "with culling by coverage"
+                             : quality.frozen_culling                             ? "with frozen culling"
+                                                                                  : "";
+    if (what.empty()) return;
+    throw Error(Code::kUnsupported, where + " is to be drawn " + what +
+                                        ", which needs all of it on the device; it takes more than the server's memory for a "
+                                        "tractogram (--tract-memory)");
+}
+
 /// The module that draws.
 std::string fibletShader(model::FibletPipeline pipeline) {
     switch (pipeline) {
@@ -121,6 +135,11 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     // The others draw every segment.
     if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);
+    }
+    fiblets.paged = facts.paged;
+    if (fiblets.paged) {
+        plan.paged_layers |= 1U << index;
+        checkPaged(fiblets, quality, "scene.layers[" + std::to_string(index) + "].tractogram");
     }
     plan.fiblets[index] = fiblets;
     // What is transparent hides nothing of its own.

@@ -152,6 +152,7 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
         fs::create_directories(cache, failure);
         if (failure) throw Error(Code::kUnavailable, cache.string() + ": cannot be made (" + failure.message() + ")");
         io::writeFiblets(set, kept);
+        set.file = io::openFibletPages(kept);
     } catch (const Error& error) {
         say("served from memory, nothing is kept for the next start: " + std::string(error.what()));
     }

@@ -1,8 +1,10 @@
 // Base colour of a fibre, linear RGB, before light. kFibreColours has a bit for each way that some layer of the scene uses.
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/common/fibre_directions.glsl"
+#include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 5) const uint kFibreColours = 1u;
+layout(constant_id = 13) const uint kPagedLayers = 0u;  // bit of each layer of fibres that is not all on the device
 
 layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer StateBuffer { uint at[]; };
@@ -48,10 +50,20 @@ float gridDistance(LayerLook look, vec3 place) {
     return sum;
 }
 
-// \param place  of the hit, from the rays' reference point, mm
+// Of a fiblet that was drawn. \param heads  FibletHead[], or the FibletPlaces of a layer that is not all on the device; of such
+// a layer a pick draws more than stays, and does not look at what depends on the fibre.
+FibletHead headOf(uint64_t heads, bool paged, uint fiblet) {
+    if (!paged) return HeadBuffer(heads).at[fiblet];
+    PlaceBuffer places = PlaceBuffer(heads);
+    const FibletPlace place = places.at[fiblet / FIBLET_PAGE];
+    if (!fibletHeld(place, fiblet % FIBLET_PAGE)) return FibletHead(0u, 0u, 0u, 0u, 0u);
+    return HeadBuffer(places.head.heads).at[fibletHeldAt(place, fiblet % FIBLET_PAGE)];
+}
+
+// \param place  of the hit, from the rays' reference point, mm \param layer  its number
 // \param pixel  number of the pixel. \param line  whether it is a line, not a tube. \param light  factor on its light
-vec3 fibreColour(LayerLook look, uint who, vec3 place, uint pixel, out bool line, out float light) {
-    const uint fibre = HeadBuffer(look.instances).at[who >> FIBLET_SEGMENT_BITS].fibre;
+vec3 fibreColour(LayerLook look, uint layer, uint who, vec3 place, uint pixel, out bool line, out float light) {
+    const uint fibre = headOf(look.instances, (kPagedLayers >> layer & 1u) != 0u, who >> FIBLET_SEGMENT_BITS).fibre;
     uint state = FIBRE_SHOWN;
     if (look.states != 0ul) state = StateBuffer(look.states).at[fibre >> 2u] >> (8u * (fibre & 3u)) & 0xffu;
     line = look.tubes == 0u || (look.tubes == 2u && state != FIBRE_SELECTED);
