@@ -68,7 +68,7 @@ void list(const Connection& connection, const Options& options) {
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
                         tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
                         scalar ? "" : std::to_string(entry.glyph_count()), tracts ? std::to_string(entry.fibres()) : "",
-                        scalar && !tracts ? "" : residence(entry)});
+                        scalar && (!tracts || entry.gpu_bytes() == 0) ? "" : residence(entry)});
     }
     print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "fibres", "GPU memory"}, rows));
 }

@@ -137,16 +137,16 @@ public:
             }
         }
         if (pages.size() != checks.size()) fail("has " + std::to_string(checks.size()) + " checksums of pages");
-        return pageFile(pages, std::move(checks), section(kCodes).bytes / 4);
+        return pageFile(pages, std::move(checks), sectionOf(kCodes).bytes / 4);
     }
 
 private:
-    const Section& section(std::uint32_t kind) const { return *std::ranges::find(sections_, kind, &Section::kind); }
+    const Section& sectionOf(std::uint32_t kind) const { return *std::ranges::find(sections_, kind, &Section::kind); }
 
     std::shared_ptr<const model::FibletPageSource> pageFile(const std::vector<shader::FibletPage>& pages,
                                                             std::vector<std::uint32_t> checks, std::uint64_t words) const {
-        return std::make_shared<const FibletPageFile>(source_.path(), pages, std::move(checks), section(kHeads).offset,
-                                                      section(kCodes).offset, words);
+        return std::make_shared<const FibletPageFile>(source_.path(), pages, std::move(checks), sectionOf(kHeads).offset,
+                                                      sectionOf(kCodes).offset, words);
     }
 
     [[noreturn]] void fail(const std::string& what) const { throw Error(Code::kCorrupt, name_ + ": " + what); }

@@ -1,6 +1,8 @@
 #include "render/fiblet/page_reader.h"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 namespace radiata::render {
 namespace {
