@@ -14,6 +14,12 @@ function(radiata_reuses target owner)
     endif()
 endfunction()
 
+# For folders whose own code is never what takes the time of a run (programs, clients, tests: the work is in the libraries and
+# shaders): -O1 compiles a fifth faster than -O2. Precompiled headers are shared within such a folder only.
+macro(radiata_compile_fast)
+    add_compile_options($<$<CONFIG:Release>:-O1>)
+endmacro()
+
 # One static library per folder: radiata_library(io base model) makes radiata_io from io/*.cpp.
 # What a library links states what it may include; tests/lint reads the includes and holds them against the same order.
 function(radiata_library name)

@@ -56,18 +56,37 @@ v1::Dataset dataset(const Connection& connection, const std::string& id) {
     return response.dataset();
 }
 
+/// Images whose header cannot be read are listed without a size; `info` says why.
+bool isUnreadable(const v1::Dataset& dataset) {
+    const bool image = dataset.kind() == v1::DATASET_KIND_SH_IMAGE || dataset.kind() == v1::DATASET_KIND_TENSOR_IMAGE ||
+                       dataset.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
+    for (const std::uint32_t extent : dataset.size()) {
+        if (extent > 0) return false;
+    }
+    return image;
+}
+
+/// Glyphs are counted when a dataset is read, so none is not yet a number.
+std::string glyphText(const v1::Dataset& dataset) {
+    return dataset.glyph_count() == 0 && dataset.gpu_bytes() == 0 ? "" : std::to_string(dataset.glyph_count());
+}
+
 void list(const Connection& connection, const Options& options) {
     const v1::ListDatasetsResponse response = datasets(connection);
     if (options.json) return print(response);
     std::vector<Row> rows;
     for (const v1::Dataset& entry : response.datasets()) {
+        if (isUnreadable(entry)) {
+            rows.push_back({entry.id(), "unreadable", "", "", "", "", ""});
+            continue;
+        }
         const bool tracts = entry.kind() == v1::DATASET_KIND_TRACTOGRAM;
         const bool mesh = entry.kind() == v1::DATASET_KIND_MESH;
         const bool map = entry.kind() == v1::DATASET_KIND_ENVIRONMENT_MAP;
         const bool scalar = tracts || mesh || map || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
                         tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
-                        scalar ? "" : std::to_string(entry.glyph_count()), tracts ? std::to_string(entry.fibres()) : "",
+                        scalar ? "" : glyphText(entry), tracts ? std::to_string(entry.fibres()) : "",
                         scalar && (!tracts || entry.gpu_bytes() == 0) ? "" : residence(entry)});
     }
     print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "fibres", "GPU memory"}, rows));
@@ -186,9 +205,14 @@ void limits(const Connection& connection, const Options& options) {
         {"picture", std::to_string(response.width_max()) + "x" + std::to_string(response.height_max()) + " pixels, " +
                         std::to_string(response.pixels_max()) + " in all"},
         {"samples per pixel", std::to_string(response.samples_max())},
+        {"rays of soft shadows", std::to_string(response.shadow_rays_max()) + " per sample, light's radius up to " +
+                                     formatNumber(response.angular_radius_max_deg(), 0) + " degrees"},
+        {"rays of ambient occlusion", std::to_string(response.occlusion_rays_max()) + " per sample"},
         {"pieces of a marched ray", std::to_string(response.ray_march_steps_max())},
         {"highest band", std::to_string(response.band_max())},
         {"highest order of tensors", std::to_string(response.tensor_order_max())},
+        {"tessellated glyphs", std::to_string(response.mesh_vertices_max()) + " vertices each, " +
+                                   std::to_string(response.layer_triangles_max()) + " triangles of a layer"},
         {"layers", std::to_string(response.layers_max())},
         {"open views", std::to_string(response.views_max())},
         {"unacknowledged frames", std::to_string(response.window_max())},

@@ -1,4 +1,5 @@
 // radiata render: one picture, and beside it any of the lossless outputs as .npy and what is known about the frame as JSON.
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -31,6 +32,14 @@ struct Options {
 
 bool endsLikeJpeg(const std::string& file) { return file.ends_with(".jpg") || file.ends_with(".jpeg"); }
 
+/// A picture would not be what its name says.
+void checkPictureName(const Options& options) {
+    const std::string ending = std::filesystem::path(options.picture).extension().string();
+    if (!options.format.empty() || ending.empty() || ending == ".png" || endsLikeJpeg(ending)) return;
+    throw ClientError(ExitCode::kUsage,
+                      options.picture + " ends in " + ending + "; pictures are .png, .jpg or .jpeg, or what --format says");
+}
+
 v1::ImageFormat imageFormat(const Options& options) {
     const bool jpeg = options.format.empty() ? endsLikeJpeg(options.picture) : options.format == "jpeg";
     return jpeg ? v1::IMAGE_FORMAT_JPEG : v1::IMAGE_FORMAT_PNG;
@@ -56,6 +65,7 @@ void checkOptions(const Options& options) {
             if (files[i] == files[k]) throw ClientError(ExitCode::kUsage, "two outputs would be written to " + files[i]);
         }
     }
+    checkPictureName(options);
     const bool stream = options.stream || options.request.light.illumination.full;
     const std::string way = options.stream ? "--stream" : "--full";
     if (stream && !wantedOutputs(options).empty()) {

@@ -52,10 +52,14 @@ void FibletBlock::append(const FibletBlock& block) {
         ranges[c].insert(ranges[c].end(), block.ranges[c].begin(), block.ranges[c].end());
         values[c].insert(values[c].end(), block.values[c].begin(), block.values[c].end());
     }
-    sum_error_mm += block.sum_error_mm;
+    sum_error_nm += block.sum_error_nm;
     max_error_mm = std::max(max_error_mm, block.max_error_mm);
     points += block.points;
     measured += block.measured;
+}
+
+model::FibletErrors FibletBlock::errors() const {
+    return {measured > 0 ? 1e-3 * double(sum_error_nm) / double(measured) : 0, 1e3 * max_error_mm, measured};
 }
 
 FibletEncoder::FibletEncoder(const shader::FibletCodec& codec, glm::dvec3 origin_mm, const FibletOptions& options,
@@ -110,22 +114,37 @@ void FibletEncoder::encodePart(std::span<const glm::vec3> points, model::FibletP
     put(choose(targets, parts.fibre), targets, tail, parts, block);
 }
 
-/// The narrowest codes that hold the bound. Other caps are tried where the first misses it by little.
+/// The narrowest codes that hold the bound. What the settings asked for cannot hold is searched for with more care.
 FibletPiece FibletEncoder::choose(const FibletTargets& targets, std::uint64_t fibre) const {
     const float turn = largestTurn(targets);
-    const bool search = options_.beam > 0;
     FibletPiece best;
     best.max_error_mm = std::numeric_limits<float>::infinity();
+    search(targets, turn, options_.beam, best);
+    for (const std::uint32_t beam : {kBeamUsual, kBeamMax}) {
+        if (best.max_error_mm <= bound_mm_) return best;
+        if (beam > options_.beam) search(targets, turn, beam, best);
+    }
+    if (best.max_error_mm > bound_mm_) searchAllCaps(targets, kBeamMax, best);
+    if (best.max_error_mm <= bound_mm_) return best;
+    throw Error(Code::kInvalidArgument, source_ + ": fibre " + std::to_string(fibre) + " cannot be encoded within " +
+                                            std::to_string(options_.bound_um) + " um: with steps of " +
+                                            std::to_string(tables_.codec().step_mm) + " mm and places in cells of " +
+                                            std::to_string(tables_.codec().cell_mm) + " mm the least error found is " +
+                                            std::to_string(1e3F * best.max_error_mm) + " um; allow that much");
+}
+
+/// Other caps are tried where the first misses the bound by little.
+void FibletEncoder::search(const FibletTargets& targets, float turn, std::uint32_t beam, FibletPiece& best) const {
     const auto attempt = [&](std::uint32_t choice, std::uint32_t cap) {
         const FibletPiece piece =
-            search ? encodeBeam(targets, choice, cap, tables_, options_.beam) : encodeGreedy(targets, choice, cap, tables_);
+            beam > 0 ? encodeBeam(targets, choice, cap, tables_, beam) : encodeGreedy(targets, choice, cap, tables_);
         if (piece.max_error_mm < best.max_error_mm) best = piece;
         return piece.max_error_mm;
     };
     const auto widest = std::uint32_t(model::kFibletWidths.size() - 1);
     for (std::uint32_t choice = 0; choice <= widest; ++choice) {
         if (model::kFibletWidths[choice] < options_.least_width) continue;
-        const std::uint32_t cap = tables_.bestCap(turn, choice, search);
+        const std::uint32_t cap = tables_.bestCap(turn, choice, beam > 0);
         const float first = attempt(choice, cap);
         if (first > bound_mm_ && (first < 1.6F * bound_mm_ || choice == widest)) {
             for (int other = int(cap) - 1; other >= std::max(int(cap) - 3, 0) && best.max_error_mm > bound_mm_; --other) {
@@ -133,13 +152,17 @@ FibletPiece FibletEncoder::choose(const FibletTargets& targets, std::uint64_t fi
             }
             if (cap + 1 < shader::FIBLET_CAPS && best.max_error_mm > bound_mm_) attempt(choice, cap + 1);
         }
-        if (best.max_error_mm <= bound_mm_) return best;
+        if (best.max_error_mm <= bound_mm_) return;
     }
-    throw Error(Code::kInvalidArgument, source_ + ": fibre " + std::to_string(fibre) + " cannot be encoded within " +
-                                            std::to_string(options_.bound_um) + " um: with steps of " +
-                                            std::to_string(tables_.codec().step_mm) + " mm and places in cells of " +
-                                            std::to_string(tables_.codec().cell_mm) + " mm the least error found is " +
-                                            std::to_string(1e3F * best.max_error_mm) + " um; allow that much");
+}
+
+/// One sharp turn widens the cap that suits it for all the others: the error may be least under a cap far from that.
+void FibletEncoder::searchAllCaps(const FibletTargets& targets, std::uint32_t beam, FibletPiece& best) const {
+    const auto widest = std::uint32_t(model::kFibletWidths.size() - 1);
+    for (std::uint32_t cap = 0; cap < shader::FIBLET_CAPS && best.max_error_mm > bound_mm_; ++cap) {
+        const FibletPiece piece = encodeBeam(targets, widest, cap, tables_, beam);
+        if (piece.max_error_mm < best.max_error_mm) best = piece;
+    }
 }
 
 void FibletEncoder::put(const FibletPiece& piece, const FibletTargets& targets, std::uint32_t tail, model::FibletParts& parts,
@@ -154,7 +177,7 @@ void FibletEncoder::put(const FibletPiece& piece, const FibletTargets& targets, 
     const std::span<std::uint32_t> own = std::span(block.heap).last(words);
     for (std::uint32_t i = 0; i + 1 < parts.segments; ++i) putBits(own, i * width, width, piece.codes[i]);
     if (parts.shortened) putBits(own, (parts.segments - 1) * width, 16, tail);
-    block.sum_error_mm += piece.sum_error_mm;
+    block.sum_error_nm += std::uint64_t(std::llround(1e6 * piece.sum_error_mm));
     block.max_error_mm = std::max(block.max_error_mm, double(piece.max_error_mm));
     block.measured += targets.segments + 1;
 }

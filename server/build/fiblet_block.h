@@ -18,13 +18,16 @@ namespace radiata {
 struct FibletBlock {
     std::vector<LooseFiblet> fiblets;
     std::vector<std::uint32_t> heap;
-    double sum_error_mm = 0, max_error_mm = 0;
+    double max_error_mm = 0;
+    /// Sum of the errors in whole nanometres (of each fiblet), so that it does not depend on who adds up what first.
+    std::uint64_t sum_error_nm = 0;
     std::uint64_t points = 0, measured = 0;
     /// For each point column: ranges and values as in model::PointColumn.
     std::vector<std::vector<glm::vec2>> ranges;
     std::vector<std::vector<std::uint8_t>> values;
 
     void append(const FibletBlock& block);
+    model::FibletErrors errors() const;
 };
 
 /// Thread-safe.
@@ -40,6 +43,9 @@ public:
 private:
     void encodePart(std::span<const glm::vec3> points, model::FibletParts& parts, FibletBlock& block) const;
     FibletPiece choose(const FibletTargets& targets, std::uint64_t fibre) const;
+    /// Replaces the piece by the first that holds the bound, or else by the best of all that were tried.
+    void search(const FibletTargets& targets, float turn, std::uint32_t beam, FibletPiece& best) const;
+    void searchAllCaps(const FibletTargets& targets, std::uint32_t beam, FibletPiece& best) const;
     void put(const FibletPiece& piece, const FibletTargets& targets, std::uint32_t tail, model::FibletParts& parts,
              FibletBlock& block) const;
 

@@ -1,7 +1,9 @@
 // From streamlines to fiblets.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -21,11 +23,26 @@ struct FibletOptions {
     std::uint32_t least_width = 4;  ///< bits per point at least: 4, 6, 8 or 16
 };
 
-/// Encodes a tractogram. Fibres whose segments all have one length, but for each fibre's last, which may be shorter, keep their
-/// points; others are walked (build/fiblet_walk.h). Fibres without points stay without fiblets and keep their numbers. Equal
-/// input gives equal bytes, whatever the number of threads. \param open  gives the tractogram from its beginning; called two or
-/// three times \throws Error(kInvalidArgument) naming the fibre if a bound cannot be held or a fibre has more than 63 * 4096
-/// segments; and as the
+/// What all fiblets of a tractogram share, and how it is walked.
+struct FibletPlan {
+    model::FibletSet set;     ///< codec, origin, bound, source and what the walk costs; nothing else
+    double walk_step_mm = 0;  ///< 0: points stay
+};
+
+/// Reads the tractogram once, or twice if its steps vary. \param batch_points  that are in memory at once, about
+FibletPlan planFiblets(const OpenTractogram& open, const FibletOptions& options, std::size_t batch_points,
+                       const FibletProgress& progress);
+
+/// Hands out a tractogram in batches, reading one while the other is worked on, until `take` returns false.
+/// \return whether all was taken
+bool readFibreBatches(model::TractogramSource& source, std::size_t points,
+                      const std::function<bool(const model::FibreBatch&)>& take, const FibletProgress& progress);
+
+/// Encodes a tractogram in memory; ingest/fiblet_conversion.h makes files of such as do not fit. Fibres whose segments all have
+/// one length, but for each fibre's last, which may be shorter, keep their points; others are walked (build/fiblet_walk.h).
+/// Fibres without points stay without fiblets and keep their numbers. Equal input gives equal bytes, whatever the number of
+/// threads. \param open  gives the tractogram from its beginning; called two or three times \throws Error(kInvalidArgument)
+/// naming the fibre if a bound cannot be held or a fibre has more than 63 * 4096 segments; and as the
 ///         source
 model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress = {});
 

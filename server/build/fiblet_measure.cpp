@@ -13,16 +13,11 @@
 namespace radiata {
 namespace {
 
-constexpr std::size_t kBatchPoints = 1 << 20;
 constexpr int kSteps = 10;  ///< tried ones, each 1 / sqrt(2) of the one before
 
 double turnAt(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const glm::dvec3 u = b - a, v = c - b;
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
-}
-
-double shareRead(const model::TractogramSource& source) {
-    return source.bytesTotal() > 0 ? double(source.bytesRead()) / double(source.bytesTotal()) : 0;
 }
 
 }  // namespace
@@ -37,11 +32,11 @@ double FibletMeasures::keptStepMm(double bound_um) const {
     return alike && mean > 0 ? mean : 0;
 }
 
-FibletMeasures measureTractogram(model::TractogramSource& source, const FibletProgress& progress) {
+FibletMeasures measureTractogram(model::TractogramSource& source, std::size_t batch_points, const FibletProgress& progress) {
     FibletMeasures measures;
     model::FibreBatch batch;
     std::mutex mutex;
-    while (source.read(batch, kBatchPoints)) {
+    while (source.read(batch, batch_points)) {
         measures.all.add(batch);
         parallelFor(batch.fibreCount(), 64, [&](std::size_t begin, std::size_t end) {
             double last = 0, turn = 0;
@@ -73,7 +68,7 @@ FibletMeasures measureTractogram(model::TractogramSource& source, const FibletPr
 }
 
 WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
-                      const FibletProgress& progress) {
+                      std::size_t batch_points, const FibletProgress& progress) {
     struct Trial {
         double step_mm = 0, sum_mm = 0, max_mm = 0;
         std::uint64_t worst = 0;
@@ -94,7 +89,7 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
     }
     model::FibreBatch batch;
     std::mutex mutex;
-    while (source.read(batch, kBatchPoints)) {
+    while (source.read(batch, batch_points)) {
         std::vector<double> sums(trials.size() * batch.fibreCount()), maxima(sums.size());
         parallelFor(batch.fibreCount(), 16, [&](std::size_t begin, std::size_t end) {
             Walk one;

@@ -2,6 +2,7 @@
 // step to walk with.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -15,6 +16,11 @@ using OpenTractogram = std::function<std::unique_ptr<model::TractogramSource>()>
 /// Called now and then with a share of the work from 0 to 1; may throw to end it.
 using FibletProgress = std::function<void(double share)>;
 
+/// How much of the file has been read, from 0 to 1; 0 if unknown.
+inline double shareRead(const model::TractogramSource& source) {
+    return source.bytesTotal() > 0 ? double(source.bytesRead()) / double(source.bytesTotal()) : 0;
+}
+
 struct FibletMeasures {
     model::TractogramMeasures all;
     double longest_last_mm = 0;   ///< of all fibres' last segments
@@ -26,8 +32,9 @@ struct FibletMeasures {
     double keptStepMm(double bound_um) const;
 };
 
+/// \param batch_points  that are in memory at once, about; the result does not depend on it
 /// \throws Error(kInvalidArgument) naming fibre and point that is not finite, and as the source
-FibletMeasures measureTractogram(model::TractogramSource& source, const FibletProgress& progress);
+FibletMeasures measureTractogram(model::TractogramSource& source, std::size_t batch_points, const FibletProgress& progress);
 
 struct WalkChoice {
     double step_mm = 0;
@@ -38,6 +45,6 @@ struct WalkChoice {
 /// \param step_mm  to be used as it is, and held against the bound; 0: to be chosen
 /// \throws Error(kInvalidArgument) naming the fibre that no step, or not this one, holds within the bound
 WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
-                      const FibletProgress& progress);
+                      std::size_t batch_points, const FibletProgress& progress);
 
 }  // namespace radiata

@@ -7,6 +7,7 @@
 #include <numeric>
 #include <span>
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "build/fiblet_code.h"
 
@@ -122,6 +123,13 @@ void boundPage(model::FibletSet& set, std::size_t p) {
 
 }  // namespace
 
+void requireFibletRoom(std::uint64_t fiblets, std::uint64_t words, const std::string& source) {
+    if (fiblets < 0xffffffffULL && words < 0xffffffffULL) return;
+    throw Error(Code::kResourceExhausted,
+                source + ": takes " + std::to_string(fiblets) + " fiblets with " + std::to_string(words) +
+                    " words of codes; fewer than 2^32 of each can be numbered: divide the tractogram");
+}
+
 void boundFiblets(model::FibletSet& set) {
     set.boxes.resize(set.heads.size());
     parallelFor(set.pages.size(), 16, [&](std::size_t begin, std::size_t end) {
@@ -139,39 +147,47 @@ void indexFibres(model::FibletSet& set, std::uint64_t fibres) {
     }
 }
 
-std::vector<std::uint32_t> arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets,
-                                          const std::vector<std::uint32_t>& heap, std::uint64_t fibres) {
-    std::vector<std::pair<std::uint64_t, std::uint32_t>> order(fiblets.size());
+std::vector<OrderedFiblet> orderFiblets(const std::vector<LooseFiblet>& fiblets, const std::vector<std::uint32_t>& heap,
+                                        const shader::FibletCodec& codec) {
+    std::vector<OrderedFiblet> order(fiblets.size());
     parallelFor(fiblets.size(), 1024, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            order[i] = {mortonCode(fiblets[i].head, heap.data() + fiblets[i].first_word, set.codec), std::uint32_t(i)};
+            order[i] = {mortonCode(fiblets[i].head, heap.data() + fiblets[i].first_word, codec), std::uint32_t(i)};
         }
     });
     std::sort(order.begin(), order.end());
+    return order;
+}
+
+void appendFiblet(model::FibletSet& set, model::FibletHead head, const std::uint32_t* words) {
+    if (set.heads.size() % FIBLET_PAGE == 0)
+        set.pages.push_back({glm::vec3(0), std::uint32_t(set.codes.size()), glm::vec3(0), 0});
+    shader::FibletPage& page = set.pages.back();
+    ++page.count;
+    const auto place = std::uint32_t(set.codes.size()) - page.first_word;
+    head.shape = (head.shape & ~(1023U << 10)) | (place / 2) << 10;
+    set.heads.push_back(head);
+    set.codes.insert(set.codes.end(), words, words + wordsOf(head));
+}
+
+std::vector<std::uint32_t> arrangeFiblets(model::FibletSet& set, const std::vector<LooseFiblet>& fiblets,
+                                          const std::vector<std::uint32_t>& heap, std::uint64_t fibres) {
+    requireFibletRoom(fiblets.size(), heap.size(), set.source);
+    const std::vector<OrderedFiblet> order = orderFiblets(fiblets, heap, set.codec);
     set.heads.clear();
     set.codes.clear();
     set.pages.clear();
     set.heads.reserve(fiblets.size());
     set.codes.reserve(heap.size() + 1);
-    for (std::size_t i = 0; i < order.size(); ++i) {
-        const LooseFiblet& fiblet = fiblets[order[i].second];
-        if (i % FIBLET_PAGE == 0) set.pages.push_back({glm::vec3(0), std::uint32_t(set.codes.size()), glm::vec3(0), 0});
-        shader::FibletPage& page = set.pages.back();
-        ++page.count;
-        model::FibletHead head = fiblet.head;
-        const std::uint32_t words =
-            model::fibletWords(model::fibletSegments(head), model::fibletWidth(head), model::fibletIsShortened(head));
-        const auto place = std::uint32_t(set.codes.size()) - page.first_word;
-        head.shape = (head.shape & ~(1023U << 10)) | (place / 2) << 10;
-        set.heads.push_back(head);
-        const auto first = heap.begin() + std::ptrdiff_t(fiblet.first_word);
-        set.codes.insert(set.codes.end(), first, first + words);
+    for (const OrderedFiblet& next : order) {
+        const LooseFiblet& fiblet = fiblets[next.number];
+        appendFiblet(set, fiblet.head, heap.data() + fiblet.first_word);
     }
     set.codes.push_back(0);
     indexFibres(set, fibres);
     boundFiblets(set);
     std::vector<std::uint32_t> numbers(order.size());
-    std::transform(order.begin(), order.end(), numbers.begin(), [](const auto& each) { return each.second; });
+    std::transform(order.begin(), order.end(), numbers.begin(), [](const auto& each) { return each.number; });
     return numbers;
 }
 

@@ -60,7 +60,7 @@ private:
 /// With codes of one width under one cap, each the nearest to its aim.
 FibletPiece encodeGreedy(const FibletTargets& targets, std::uint32_t width_choice, std::uint32_t cap, const CodeTables& tables);
 
-inline constexpr std::uint32_t kBeamMax = 64;
+inline constexpr std::uint32_t kBeamUsual = 8, kBeamMax = 64;
 
 /// The same with a search that keeps the `beam` best beginnings, by the sum of the squared distances.
 /// \param beam  1 to kBeamMax

@@ -33,6 +33,7 @@ void readProperties(Device::Impl& impl) {
     impl.info.name = std::string(impl.properties.deviceName);
     impl.info.driver = std::string(driver.driverName) + " " + std::string(driver.driverInfo);
     impl.info.subgroup_size = chain.get<vk::PhysicalDeviceVulkan11Properties>().subgroupSize;
+    impl.subgroup_size_max = chain.get<vk::PhysicalDeviceVulkan13Properties>().maxSubgroupSize;
     impl.info.storage_range_max = impl.properties.limits.maxStorageBufferRange;
     const vk::PhysicalDeviceLimits& core_limits = impl.properties.limits;
     impl.info.line_frame_px =

@@ -15,6 +15,7 @@ enum class Feature {
     kInt64Atomics,
     kMeshShader,
     kSubgroupBallot,
+    kFullSubgroups,
     kMemoryBudget,
     kRaster,
     kFloat64,
@@ -24,7 +25,7 @@ enum class Feature {
     kTessellationShader,
     kMeshSubgroups
 };
-constexpr std::size_t kFeatureCount = 12;
+constexpr std::size_t kFeatureCount = 13;
 
 struct DeviceOptions {
     std::string device{};                    ///< number in list(), or a part of the name; empty: the most capable one

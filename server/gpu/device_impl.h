@@ -42,6 +42,7 @@ struct Device::Impl {
     std::uint64_t buffer_size_max = 0;           ///< bytes of one buffer
     std::uint64_t scratch_alignment = 1;         ///< of scratch addresses of acceleration-structure builds
     std::uint64_t box_count_max = 0;             ///< boxes in one acceleration structure
+    std::uint32_t subgroup_size_max = 1;         ///< invocations
     std::uint64_t timestamp_mask = 0;            ///< valid bits
     std::array<bool, kFeatureCount> features{};  ///< by Feature
 

@@ -8,11 +8,16 @@ ComputePipeline::ComputePipeline(Device& device, const Shader& shader, std::span
     : impl_(std::make_unique<Impl>()) {
     Device::Impl& owner = device.impl();
     impl_->shader_name = shader.name;
-    const Specialisation specialisation(constants);
+    // Constant 0 is the workgroup's size in every compute shader.
+    const bool full_subgroups = owner.has(Feature::kFullSubgroups) && !constants.empty() && constants[0] > 0 &&
+                                constants[0] % owner.subgroup_size_max == 0;
+    const Specialisation specialisation(constants, full_subgroups);
     try {
         const vk::raii::ShaderModule module(
             owner.device, vk::ShaderModuleCreateInfo{.codeSize = shader.spirv.size_bytes(), .pCode = shader.spirv.data()});
-        const vk::PipelineShaderStageCreateInfo stage{.stage = vk::ShaderStageFlagBits::eCompute,
+        using Flag = vk::PipelineShaderStageCreateFlagBits;
+        const vk::PipelineShaderStageCreateInfo stage{.flags = full_subgroups ? Flag::eRequireFullSubgroups : Flag{},
+                                                      .stage = vk::ShaderStageFlagBits::eCompute,
                                                       .module = *module,
                                                       .pName = "main",
                                                       .pSpecializationInfo = &specialisation.info};

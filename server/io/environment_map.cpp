@@ -1,7 +1,8 @@
 #include "io/environment_map.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <memory>
 #include <utility>
@@ -29,8 +30,12 @@ namespace {
 constexpr std::uint64_t kFileBytesMax = 1ULL << 30;
 constexpr std::uint64_t kHeaderBytesMax = 65536;
 constexpr int kSideMax = 16384;
+/// Far above the sun's in any unit; and its square, as standard errors need it, is still a number of 32 bits.
+constexpr float kRadianceMax = 1e15F;
 
-/// The file's bytes for the library, which takes a file that ends early for one that goes on with whatever memory holds.
+/// The file's bytes for the library, which takes a file that ends early for one that goes on with whatever memory holds, or
+/// with runs of no pixels without end. So beyond the file it gets runs of one pixel, and whatever size the header has is
+/// reached.
 struct Bytes {
     std::vector<std::byte> all;
     std::size_t at = 0;
@@ -40,14 +45,22 @@ struct Bytes {
         Bytes& bytes = *static_cast<Bytes*>(self);
         const std::size_t count = std::min(bytes.all.size() - bytes.at, static_cast<std::size_t>(size));
         // Its buffer of 128 bytes may end with the file; anything else that does is missed.
-        bytes.cut_short |= count == 0 || (size < 128 && count < static_cast<std::size_t>(size));
         std::memcpy(out, bytes.all.data() + bytes.at, count);
         bytes.at += count;
-        return static_cast<int>(count);
+        if (count > 0 && size >= 128) return static_cast<int>(count);
+        bytes.cut_short |= count < static_cast<std::size_t>(size);
+        std::memset(out + count, 1, static_cast<std::size_t>(size) - count);
+        return size;
     }
     static void skip(void* self, int count) { static_cast<Bytes*>(self)->at += static_cast<std::size_t>(std::max(count, 0)); }
     static int end(void* self) { return static_cast<Bytes*>(self)->at >= static_cast<Bytes*>(self)->all.size(); }
 };
+
+std::string number(float value) {
+    char text[32];
+    std::snprintf(text, sizeof(text), "%g", static_cast<double>(value));
+    return text;
+}
 
 Error corrupt(const ByteSource& file, const std::string& reason) {
     return {Code::kCorrupt, file.name() + ": not a Radiance picture that can be read (" + reason + ")"};
@@ -110,11 +123,11 @@ void checkEnvironmentMap(const model::EnvironmentMap& map) {
     for (std::size_t i = 0; i < map.pixels.size(); ++i) {
         for (int c = 0; c < 3; ++c) {
             const float value = map.pixels[i][c];
-            if (std::isfinite(value) && value >= 0) continue;
+            if (value >= 0 && value <= kRadianceMax) continue;
             throw Error(Code::kInvalidArgument, map.source + ": pixel (" +
                                                     std::to_string(i % static_cast<std::size_t>(map.width)) + ", " +
                                                     std::to_string(i / static_cast<std::size_t>(map.width)) + ") is " +
-                                                    std::to_string(value) + "; radiance is finite and at least 0");
+                                                    number(value) + "; radiance is 0 to 1e15");
         }
     }
 }

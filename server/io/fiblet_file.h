@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "model/fiblet_set.h"
 
@@ -19,10 +18,6 @@ model::FibletSet readFiblets(const std::filesystem::path& path);
 
 /// What can be told without reading more than the header: counts, codec, errors and origin; no heads, codes or columns.
 model::FibletSet readFibletHeader(const std::filesystem::path& path);
-
-/// Pages of a file that readFiblets() could read; the file stays open, so that one of the same name that takes its place is
-/// not looked at. \throws as readFiblets()
-std::shared_ptr<const model::FibletPageSource> openFibletPages(const std::filesystem::path& path);
 
 /// The file appears under its name when it is complete. Equal sets give equal bytes.
 /// \throws Error(kUnavailable) naming the reason, such as a full disk

@@ -62,6 +62,8 @@ struct Name {
 };
 
 inline std::uint32_t crcOf(std::span<const std::byte> bytes, std::uint32_t before = 0) {
+    // Nothing may be at no address, for which zlib begins anew.
+    if (bytes.empty()) return before;
     return std::uint32_t(crc32_z(before, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
 }
 

@@ -122,24 +122,6 @@ public:
         return set;
     }
 
-    std::shared_ptr<const model::FibletPageSource> pages() {
-        std::vector<shader::FibletPage> pages;
-        std::vector<std::uint32_t> checks;
-        for (const Section& section : sections_) {
-            if (section.kind != kPages && section.kind != kPageChecks) continue;
-            source_.skipTo(section.offset);
-            if (section.kind == kPages) {
-                pages.resize(section.bytes / sizeof(shader::FibletPage));
-                read(std::as_writable_bytes(std::span(pages)));
-            } else {
-                checks.resize(section.bytes / 4);
-                read(std::as_writable_bytes(std::span(checks)));
-            }
-        }
-        if (pages.size() != checks.size()) fail("has " + std::to_string(checks.size()) + " checksums of pages");
-        return pageFile(pages, std::move(checks), sectionOf(kCodes).bytes / 4);
-    }
-
 private:
     const Section& sectionOf(std::uint32_t kind) const { return *std::ranges::find(sections_, kind, &Section::kind); }
 
@@ -282,10 +264,6 @@ private:
 bool isFibletName(const std::filesystem::path& path) { return path.extension() == ".fiblet"; }
 
 model::FibletSet readFiblets(const std::filesystem::path& path) { return Reader(path).all(); }
-
-std::shared_ptr<const model::FibletPageSource> openFibletPages(const std::filesystem::path& path) {
-    return Reader(path).pages();
-}
 
 model::FibletSet readFibletHeader(const std::filesystem::path& path) { return Reader(path).head(); }
 

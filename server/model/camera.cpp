@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include <glm/gtc/quaternion.hpp>
@@ -11,13 +12,25 @@
 namespace radiata::model {
 namespace {
 
+/// Up to here a step of a double is below 0.2 um, so that a far eye still tells one glyph from the next.
+constexpr double kFarthestMm = 1e12;
+
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
 std::string text(const glm::dvec3& v) {
-    return "(" + std::to_string(v.x) + ", " + std::to_string(v.y) + ", " + std::to_string(v.z) + ")";
+    std::ostringstream out;
+    out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
+    return out.str();
 }
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(Code::kInvalidArgument, "camera: " + message); }
+
+void checkPlace(const glm::dvec3& place, const std::string& field) {
+    if (!finite(place)) refuse(field + " is " + text(place) + "; it must be finite");
+    for (int c = 0; c < 3; ++c) {
+        if (std::abs(place[c]) > kFarthestMm) refuse(field + " is " + text(place) + "; at most 1e12 mm from 0 are drawn");
+    }
+}
 
 void checkLens(const Camera& camera) {
     if (camera.perspective) {
@@ -37,8 +50,8 @@ void checkLens(const Camera& camera) {
 }  // namespace
 
 CameraFrame cameraFrame(const Camera& camera) {
-    if (!finite(camera.eye_mm)) refuse("eye_mm is " + text(camera.eye_mm) + "; it must be finite");
-    if (!finite(camera.target_mm)) refuse("target_mm is " + text(camera.target_mm) + "; it must be finite");
+    checkPlace(camera.eye_mm, "eye_mm");
+    checkPlace(camera.target_mm, "target_mm");
     if (!finite(camera.up)) refuse("up is " + text(camera.up) + "; it must be finite");
     checkLens(camera);
     const glm::dvec3 sight = camera.target_mm - camera.eye_mm;

@@ -1,6 +1,8 @@
 #include "model/illumination.h"
 
 #include <cmath>
+#include <cstdio>
+#include <string>
 
 #include "base/error.h"
 
@@ -14,9 +16,15 @@ constexpr std::size_t kLightsMax = 16;
 
 [[noreturn]] void refuse(const std::string& message) { throw Error(Code::kInvalidArgument, message); }
 
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
 void checkRange(double value, double low, double high, const std::string& field) {
     if (value >= low && value <= high) return;
-    refuse(field + " is " + std::to_string(value) + "; it must be " + std::to_string(low) + " to " + std::to_string(high));
+    refuse(field + " is " + number(value) + "; it must be " + number(low) + " to " + number(high));
 }
 
 void checkColour(const glm::vec3& colour, double high, const std::string& field) {

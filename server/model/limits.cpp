@@ -16,15 +16,30 @@ namespace {
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
 
+std::string text(const glm::dvec3& v) {
+    std::ostringstream out;
+    out << "(" << v.x << ", " << v.y << ", " << v.z << ")";
+    return out.str();
+}
+
+void checkDirection(const glm::dvec3& direction, const std::string& field) {
+    const double length = glm::length(direction);
+    if (!(length > 0) || !std::isfinite(length)) refuse(field + " is " + text(direction) + "; it must be finite and not zero");
+}
+
+/// \param colour  linear RGB
+void checkRgb(const glm::dvec3& colour, const std::string& field) {
+    for (int c = 0; c < 3; ++c) {
+        if (!(colour[c] >= 0 && colour[c] <= 1)) refuse(field + " is " + text(colour) + "; each channel must be 0 to 1");
+    }
+}
+
 void checkSelection(const VoxelSelection& selection, const std::string& where) {
     if (selection.region == Region::kVolume) return;
-    if (selection.position_mm && !finite(*selection.position_mm)) refuse(where + ".position_mm must be finite");
-    if (selection.plane == Plane::kOblique) {
-        const double length = glm::length(selection.normal);
-        if (!finite(selection.normal) || !(length > 0) || !std::isfinite(length)) {
-            refuse(where + ".normal must be finite and not zero for an oblique plane");
-        }
+    if (selection.position_mm && !finite(*selection.position_mm)) {
+        refuse(where + ".position_mm is " + text(*selection.position_mm) + "; it must be finite");
     }
+    if (selection.plane == Plane::kOblique) checkDirection(selection.normal, where + ".normal");
     if (selection.region == Region::kSlab && !(selection.thickness_mm > 0 && std::isfinite(selection.thickness_mm))) {
         refuse(where + ".thickness_mm is " + std::to_string(selection.thickness_mm) + "; it must be finite and above 0");
     }
@@ -43,9 +58,7 @@ void checkColour(const GlyphColour& colour, const std::string& where) {
         refuse(where + ".scalar.image_id is empty; it names a scalar volume of the catalogue");
     }
     if (colour.usesMap() && colour.range) checkRange(*colour.range, where);
-    for (int c = 0; colour.mode == ColourMode::kUniform && c < 3; ++c) {
-        if (!(colour.uniform[c] >= 0 && colour.uniform[c] <= 1)) refuse(where + ".uniform must be 0 to 1 in each channel");
-    }
+    if (colour.mode == ColourMode::kUniform) checkRgb(glm::dvec3(colour.uniform), where + ".uniform");
 }
 
 void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) {
@@ -56,11 +69,7 @@ void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) 
     if (const auto extinction = uncertainty.extinction_per_mm; extinction && !(*extinction > 0 && *extinction <= 1e6F)) {
         refuse(where + ".extinction_per_mm is " + std::to_string(*extinction) + "; it must be above 0 and at most 1e6");
     }
-    for (int c = 0; c < 3; ++c) {
-        if (!(uncertainty.emission[c] >= 0 && uncertainty.emission[c] <= 1)) {
-            refuse(where + ".emission must be 0 to 1 in each channel");
-        }
-    }
+    checkRgb(glm::dvec3(uncertainty.emission), where + ".emission");
 }
 
 void checkContent(const GlyphLayer& glyphs, const std::string& where) {
@@ -221,11 +230,9 @@ void checkRays(int rays, int rays_max, const std::string& field) {
 
 void checkLight(const Light& light, const Limits& limits) {
     if (light.direction_world) {
-        if (!finite(*light.direction_world) || !(glm::length(*light.direction_world) > 0)) {
-            refuse("scene.light.direction_world must be finite and not zero");
-        }
-    } else if (!finite(light.direction_camera) || !(glm::length(light.direction_camera) > 0)) {
-        refuse("scene.light.direction_camera must be finite and not zero");
+        checkDirection(*light.direction_world, "scene.light.direction_world");
+    } else {
+        checkDirection(light.direction_camera, "scene.light.direction_camera");
     }
     if (!(light.irradiance >= 0 && light.irradiance <= 100)) {
         refuse("scene.light.irradiance is " + std::to_string(light.irradiance) + "; it must be 0 to 100");
@@ -292,9 +299,7 @@ void checkScene(const Scene& scene, const Limits& limits) {
     }
     checkLight(scene.light, limits);
     if (scene.light.illumination) validate(*scene.light.illumination, "scene.light.illumination");
-    for (int c = 0; c < 3; ++c) {
-        if (!(scene.background[c] >= 0 && scene.background[c] <= 1)) refuse("scene.background must be 0 to 1 in each channel");
-    }
+    checkRgb(glm::dvec3(scene.background), "scene.background");
 }
 
 }  // namespace

@@ -66,6 +66,8 @@ public:
 
     std::vector<FibreGroup> groups() override { return tractogram_.groups; }
     std::uint64_t damagedFibres() const override { return tractogram_.measures.damaged_fibres; }
+    std::uint64_t bytesRead() const override { return sizeof(glm::vec3) * tractogram_.fibres.offsets[next_]; }
+    std::uint64_t bytesTotal() const override { return sizeof(glm::vec3) * tractogram_.fibres.points.size(); }
 
 private:
     const Tractogram& tractogram_;

@@ -7,7 +7,7 @@
 #include "base/error.h"
 #include "build/fiblet_encode.h"
 #include "build/fiblet_pages.h"
-#include "build/fiblet_source.h"
+#include "ingest/fiblet_conversion.h"
 #include "io/fiblet_file.h"
 #include "io/tractogram.h"
 
@@ -144,18 +144,28 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
     }
     // The encoder reads the file several times; columns are tried once.
     const io::TractOptions options = optionsFor(path, log);
-    model::FibletSet set = encodeFiblets([&] { return io::openTractogram(path, options); }, FibletOptions{});
-    say(summary(set));
-    if (cache.empty()) return set;
-    try {
-        std::error_code failure;
-        fs::create_directories(cache, failure);
-        if (failure) throw Error(Code::kUnavailable, cache.string() + ": cannot be made (" + failure.message() + ")");
-        io::writeFiblets(set, kept);
-        set.file = io::openFibletPages(kept);
-    } catch (const Error& error) {
-        say("served from memory, nothing is kept for the next start: " + std::string(error.what()));
+    const auto open = [&] { return io::openTractogram(path, options); };
+    if (!cache.empty()) {
+        try {
+            std::error_code failure;
+            fs::create_directories(cache, failure);
+            if (failure) throw Error(Code::kUnavailable, cache.string() + ": cannot be made (" + failure.message() + ")");
+            // A folder that is full is not helped by what is left there for the next start.
+            ingest::ConversionOptions conversion;
+            conversion.keep_unfinished = false;
+            ingest::convertToFiblets(open, kept.filename().string(), kept, conversion, {}, say);
+            if (auto set = readKept(kept, log)) {
+                set->source = path.filename().string();
+                say(summary(*set));
+                return *std::move(set);
+            }
+        } catch (const Error& error) {
+            if (error.code() != Code::kUnavailable) throw;
+            say("served from memory, nothing is kept for the next start: " + std::string(error.what()));
+        }
     }
+    model::FibletSet set = encodeFiblets(open, FibletOptions{});
+    say(summary(set));
     return set;
 }
 

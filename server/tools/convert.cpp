@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "base/error.h"
+#include "tools/usage.h"
 
 namespace radiata::tools {
 
@@ -59,7 +60,7 @@ int main(int argc, char** argv) {
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        return app.exit(error);
+        return radiata::tools::reportUsage(app, error);
     } catch (const std::exception& error) {
         std::fprintf(stderr, "radiata-convert: %s\n", error.what());
         return 1;

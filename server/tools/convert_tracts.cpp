@@ -1,15 +1,16 @@
 // radiata-convert tracts: streamlines of any readable format to fiblets and back.
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
-#include "build/fiblet_encode.h"
-#include "build/fiblet_pages.h"
 #include "build/fiblet_source.h"
+#include "ingest/fiblet_conversion.h"
 #include "io/fiblet_file.h"
 #include "io/qfib.h"
 #include "io/tractogram.h"
@@ -23,6 +24,7 @@ struct Settings {
     FibletOptions fiblets;
     bool fast = false;
     int qfib_bits = 8;
+    std::uint64_t memory_mb = 512;
     io::TractOptions reading;
 };
 
@@ -40,32 +42,34 @@ void requireFolder(const std::filesystem::path& path) {
 }
 
 void encode(const Settings& settings) {
-    FibletOptions options = settings.fiblets;
+    ingest::ConversionOptions options{.fiblets = settings.fiblets, .memory_bytes = settings.memory_mb << 20};
     if (settings.fast) {
-        options.beam = 0;
-        options.least_width = 8;
+        options.fiblets.beam = 0;
+        options.fiblets.least_width = 8;
     }
+    std::vector<std::filesystem::path> files{settings.in};
+    files.insert(files.end(), settings.reading.columns.begin(), settings.reading.columns.end());
     const auto begin = std::chrono::steady_clock::now();
-    model::FibletSet set;
+    ingest::Conversion done;
     {
         Progress progress(settings.in.filename().string(), 10000);
         double shown = 0;
-        set = encodeFiblets([&] { return openInput(settings); }, options,
-                            [&](double share) {
-                                const auto steps = std::size_t((share - shown) * 10000);
-                                progress.add(steps);
-                                shown += double(steps) / 10000;
-                            });
+        done = ingest::convertToFiblets([&] { return openInput(settings); }, ingest::stateOf(files), settings.out, options,
+                                        [&](double share) {
+                                            const auto steps = std::size_t(std::max(share - shown, 0.0) * 10000);
+                                            progress.add(steps);
+                                            shown += double(steps) / 10000;
+                                        },
+                                        [](const std::string& sentence) { std::printf("%s\n", sentence.c_str()); });
     }
-    io::writeFiblets(set, settings.out);
+    const model::FibletSet& set = done.set;
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     const double bytes = double(std::filesystem::file_size(settings.out)), points = double(set.points);
-    std::printf(
-        "%s: %llu fibres, %llu points, %.3f bytes a point, error mean %.2f um, largest %.2f um; %.1f s, %.2f million points a "
-        "second\n",
-        settings.out.string().c_str(), static_cast<unsigned long long>(set.fibres()),
-        static_cast<unsigned long long>(set.points), bytes / points, set.errors.mean_um, set.errors.max_um, seconds,
-        points / seconds * 1e-6);
+    std::printf("%s: %llu fibres, %llu points, %.3f bytes a point, error mean %.2f um, largest %.2f um; %.1f s",
+                settings.out.string().c_str(), static_cast<unsigned long long>(done.fibres),
+                static_cast<unsigned long long>(set.points), bytes / points, set.errors.mean_um, set.errors.max_um, seconds);
+    if (done.continued == 0) std::printf(", %.2f million points a second", points / seconds * 1e-6);
+    std::printf("\n");
     if (set.walked) {
         std::printf(
             "The steps vary, so points were set anew every %.4f mm; the original ones are off these lines by %.1f um on "
@@ -134,7 +138,15 @@ void addTractsCommand(CLI::App& app) {
     command->add_option("--qfib-bits", settings->qfib_bits, "Bits per point of a .qfib file")
         ->check(CLI::IsMember({8, 16}))
         ->capture_default_str();
-    command->add_flag("--fast", settings->fast, "As --beam 0 --least-bits 8");
+    command
+        ->add_option(
+            "--memory", settings->memory_mb,
+            "To .fiblet: megabytes to work in, about; what does not fit goes through OUT.runs, which a conversion that "
+            "was ended leaves to the next")
+        ->check(CLI::Range(16, 1 << 20))
+        ->capture_default_str();
+    command->add_flag("--fast", settings->fast,
+                      "As --beam 0 --least-bits 8; fibres that these cannot hold within the bound are searched for");
     command->callback([settings] { convert(*settings); });
 }
 

@@ -19,6 +19,7 @@
 #include "io/sh_write.h"
 #include "io/tractogram.h"
 #include "math/sh_convention.h"
+#include "tools/usage.h"
 
 namespace {
 
@@ -150,7 +151,11 @@ int main(int argc, char** argv) {
     app.add_option("--anatomy-voxel", files.anatomy_voxel_mm, "edge of its voxels in mm, 0.25 to 20")
         ->capture_default_str()
         ->needs(anatomy);
-    CLI11_PARSE(app, argc, argv);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return radiata::tools::reportUsage(app, error);
+    }
     try {
         if (stiffness) {
             checkNiftiName(files.image);

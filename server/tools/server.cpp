@@ -26,8 +26,15 @@ struct Engine {
 
 void startDevice(Engine& engine, const ProgramOptions& options) {
     if (!options.device.pipeline_cache.empty()) {
-        std::error_code ignored;  // without the folder the cache is not kept, and the device says so
-        std::filesystem::create_directories(options.device.pipeline_cache.parent_path(), ignored);
+        const std::filesystem::path folder = options.device.pipeline_cache.parent_path();
+        std::error_code failure;
+        if (!folder.empty()) std::filesystem::create_directories(folder, failure);
+        if (failure) {
+            spdlog::warn(
+                "the folder {} cannot be made ({}): compiled pipelines are not kept, so every start takes as long as the "
+                "first; --pipeline-cache names another file",
+                folder.string(), failure.message());
+        }
     }
     engine.device = std::make_unique<gpu::Device>(options.device);
     spdlog::info("device: {}, driver {}", engine.device->info().name, engine.device->info().driver);

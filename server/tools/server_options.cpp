@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "tools/usage.h"
+
 namespace radiata::tools {
 namespace {
 
@@ -102,7 +104,19 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
         ->capture_default_str();
 }
 
+/// gRPC takes 65536 for 0 and any word for a name to look up, and says so late or never.
+void checkListen(const std::string& listen) {
+    if (listen.starts_with("unix:") || listen.starts_with("unix-abstract:")) return;
+    const std::size_t colon = listen.rfind(':');
+    const std::string port = colon == std::string::npos ? "" : listen.substr(colon + 1);
+    const bool number = !port.empty() && port.size() < 6 && port.find_first_not_of("0123456789") == std::string::npos;
+    if (colon == 0 || !number || std::stoi(port) > 65535) {
+        throw CLI::ValidationError("--listen", "\"" + listen + "\" is not HOST:PORT with a port of 0 to 65535, nor unix:PATH");
+    }
+}
+
 void finish(ProgramOptions& options, const Texts& texts) {
+    checkListen(options.server.listen);
     if (!texts.convention.empty()) options.sh.convention = shConventionFromName(texts.convention);
     if (!texts.axes.empty()) options.sh.axes = shAxesFromName(texts.axes);
     if (texts.traversal == "ray_query") options.traversal = model::Traversal::kRayQuery;
@@ -134,7 +148,7 @@ std::optional<ProgramOptions> parseOptions(int argc, char** argv, int& exit_code
         app.parse(argc, argv);
         finish(options, texts);
     } catch (const CLI::ParseError& error) {
-        exit_code = app.exit(error);
+        exit_code = reportUsage(app, error);
         return std::nullopt;
     }
     return options;

@@ -1,6 +1,7 @@
 // Words of pixels before a layer's fiblets are drawn: the depth of what earlier layers show there, or infinity, and nobody.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/fiblet/pixel_stretch.glsl"
@@ -16,7 +17,7 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     if (at >= uint(layer.view.width * layer.view.height)) return;
     float depth = uintBitsToFloat(0x7f800000u);
     if (!kFirstLayer) depth = push.surface.at[at].depth / pixelStretch(layer.view, at);

@@ -3,6 +3,7 @@
 // Source: Schertzer et al. 2022, Sec. 3.4.1 and 3.4.3.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/coverage.glsl"
 #include "shaders/common/fiblet_decode.glsl"
 
@@ -21,7 +22,7 @@ bool behindCoverage(FibletCoverageParams coverage, FibletView view, vec4 eye) {
 void main() {
     const FibletLayerParams layer = push.layer.layer;
     const FibletCoverageParams coverage = push.coverage.params;
-    const uint fiblet = push.first + gl_GlobalInvocationID.x;
+    const uint fiblet = push.first + globalInvocation();
     if (fiblet >= layer.fiblet_count) return;
     const FibletView view = layer.view;
     const FibletHead head = HeadBuffer(layer.heads).at[fiblet];

@@ -3,14 +3,16 @@
 // Source: Schertzer et al. 2022, Sec. 3.4.2, Eq. 4 with the texel's half diagonal in place of its half edge.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/pixel_place.glsl"
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/coverage.glsl"
 
 void main() {
     const FibletCoverageParams coverage = push.coverage.params;
     const FibletView view = coverage.before;
-    const int at = int(gl_GlobalInvocationID.x);
+    const int at = int(globalInvocation());
     if (at >= coverage.columns * coverage.rows) return;
-    const ivec2 texel = ivec2(at % coverage.columns, at / coverage.columns);
+    const ivec2 texel = pixelPlace(uint(at), uint(coverage.columns));
     const float farthest = depthOfOrder(UintBuffer(coverage.depths).at[at]);
     const float depth = isinf(farthest) ? coverage.far_depth : farthest;
     const float nearness = 1.0 + depth * view.inverse_distance;

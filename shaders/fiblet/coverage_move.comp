@@ -4,6 +4,8 @@
 // that it leaves free; here nothing is culled there.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/pixel_place.glsl"
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/coverage.glsl"
 
 FibletCoverageParams coverage;
@@ -40,9 +42,9 @@ void drawTriangle(vec4 a, vec4 b, vec4 c) {
 
 void main() {
     coverage = push.coverage.params;
-    const int columns = coverage.columns - 1, at = int(gl_GlobalInvocationID.x);
+    const int columns = coverage.columns - 1, at = int(globalInvocation());
     if (columns < 1 || at >= columns * (coverage.rows - 1)) return;
-    const ivec2 texel = ivec2(at % columns, at / columns);
+    const ivec2 texel = pixelPlace(uint(at), uint(columns));
     const vec4 a = movedVertex(texel), b = movedVertex(texel + ivec2(1, 0));
     const vec4 c = movedVertex(texel + ivec2(0, 1)), d = movedVertex(texel + ivec2(1, 1));
     drawTriangle(a, b, d);

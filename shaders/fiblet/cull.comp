@@ -5,6 +5,7 @@
 // Source: two phases as in Haar and Aaltonen 2015, with winners of pixels in place of what passed the last test.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/boxes.glsl"
 #include "shaders/fiblet/visible.glsl"
@@ -43,8 +44,8 @@ void main() {
     const FibletLayerParams layer = push.layer.layer;
     const uint page = push.pages.at[gl_WorkGroupID.x];
     const FibletPage box = PageBuffer(layer.pages).at[page];
-    if (gl_LocalInvocationIndex >= box.count) return;
-    const uint fiblet = page * FIBLET_PAGE + gl_LocalInvocationIndex;
+    if (localInvocation() >= box.count) return;
+    const uint fiblet = page * FIBLET_PAGE + localInvocation();
     if (kPhase == 1u || kPhase == 2u) {
         const bool seen_last = (UintBuffer(layer.visible).at[fiblet >> 5u] >> (fiblet & 31u) & 1u) != 0u;
         if (seen_last != (kPhase == 1u)) return;
@@ -53,8 +54,8 @@ void main() {
     uint at = fiblet;
     if (kPaged) {
         const FibletPlace place = PlaceBuffer(layer.places).at[page];
-        if (!fibletHeld(place, gl_LocalInvocationIndex)) return;
-        at = fibletHeldAt(place, gl_LocalInvocationIndex);
+        if (!fibletHeld(place, localInvocation())) return;
+        at = fibletHeldAt(place, localInvocation());
     }
     const FibletBox own = BoxBuffer(layer.boxes).at[at];
     vec3 low, high;

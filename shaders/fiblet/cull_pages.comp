@@ -1,6 +1,7 @@
 // Lists the pages in which fiblets can be seen, before these are looked at one by one: one invocation per page. See cull.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/visible.glsl"
 
@@ -16,9 +17,9 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.page_count) return;
+    if (globalInvocation() >= push.page_count) return;
     const FibletLayerParams layer = push.layer.layer;
-    const uint page = UintBuffer(layer.page_order).at[push.first_page + gl_GlobalInvocationID.x];
+    const uint page = UintBuffer(layer.page_order).at[push.first_page + globalInvocation()];
     if (kPhase == 1u) {
         // Bits of fiblets past the end are 0.
         const uint first = page * (FIBLET_PAGE / 32u), words = (layer.fiblet_count + 31u) / 32u;

@@ -1,6 +1,7 @@
 // Points of fiblets for pull.vert, and the draw of them: one invocation per fiblet, which takes a slot unless its fibre is hidden.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/walk.glsl"
 
@@ -19,9 +20,9 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.count) return;
+    if (globalInvocation() >= push.count) return;
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = push.first + gl_GlobalInvocationID.x;
+    const uint at = push.first + globalInvocation();
     const uint fiblet = kListed ? UintBuffer(layer.list).at[at] : at;
     FibletWalk walk = beginWalk(layer, fiblet);
     if (kSelection) {

@@ -1,6 +1,7 @@
 // Tangents of the points that points.comp has left in the pixels: one invocation per pixel finds the point again by its name.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/common/fiblet_decode.glsl"
 #include "shaders/common/fibre_directions.glsl"
@@ -14,7 +15,7 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     if (at >= uint(layer.view.width * layer.view.height)) return;
     const uint who = uint(WordBuffer(layer.words).at[at]);
     if (who == FIBLET_NOBODY) return;

@@ -2,6 +2,7 @@
 // close-ups there are gaps. Source: Schuetz et al. 2021, which Schertzer et al. 2022, Table 3, compare with.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 
 layout(constant_id = 1) const uint kCuts = 0u;
@@ -19,10 +20,10 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.count) return;
+    if (globalInvocation() >= push.count) return;
     const FibletLayerParams layer = push.layer.layer;
     const FibletView view = layer.view;
-    const FibreVertex vertex = push.vertices.at[push.first + gl_GlobalInvocationID.x];
+    const FibreVertex vertex = push.vertices.at[push.first + globalInvocation()];
     const vec4 eye = fibletEyePoint(view, vertex.point);
     if (!(eye.z >= view.near_depth && eye.z <= view.far_depth)) return;
     const vec2 window = fibletPixel(view, eye) - vec2(view.window_x, view.window_y);

@@ -2,6 +2,8 @@
 // Sizes are rounded up, so every pixel is under one entry of each level.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/pixel_place.glsl"
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 
 layout(constant_id = 1) const bool kFromWords = true;
@@ -22,9 +24,9 @@ uint farthest(FibletLayerParams layer, ivec2 at) {
 void main() {
     const FibletLayerParams layer = push.layer.layer;
     const ivec2 size = (push.source_size + 1) / 2;
-    const int at = int(gl_GlobalInvocationID.x);
+    const int at = int(globalInvocation());
     if (at >= size.x * size.y) return;
-    const ivec2 corner = 2 * ivec2(at % size.x, at / size.x);
+    const ivec2 corner = 2 * pixelPlace(uint(at), uint(size.x));
     UintBuffer(layer.pyramid).at[push.target + uint(at)] =
         max(max(farthest(layer, corner), farthest(layer, corner + ivec2(1, 0))),
             max(farthest(layer, corner + ivec2(0, 1)), farthest(layer, corner + ivec2(1, 1))));

@@ -6,6 +6,7 @@
 // Source of the key: Schuetz et al. 2021 (compute rasterisation of points); of lines: DDA with the centre rule of Bresenham.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/walk.glsl"
 #include "shaders/common/fibre_directions.glsl"
@@ -219,9 +220,9 @@ bool drawAsLine(FibletLayerParams layer, FibletWalk walk, uint fiblet) {
 }
 
 void main() {
-    if (gl_GlobalInvocationID.x >= push.count) return;
+    if (globalInvocation() >= push.count) return;
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = push.first + gl_GlobalInvocationID.x;
+    const uint at = push.first + globalInvocation();
     const uint fiblet = kListed ? UintBuffer(layer.list).at[at] : at;
     view = layer.view;
     words = WordBuffer(layer.words);

@@ -3,6 +3,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/fiblet/pixel_stretch.glsl"
@@ -72,7 +73,7 @@ bool resolve(FibletLayerParams layer, uint at) {
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     const bool inside = at < uint(layer.view.width * layer.view.height);
     const bool hit = inside && resolve(layer, at);
     const uint hits = subgroupBallotBitCount(subgroupBallot(hit && kCounts));

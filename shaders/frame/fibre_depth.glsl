@@ -17,7 +17,7 @@ float depthBeside(SurfaceBuffer surfaces, FrameParams frame, ivec2 pixel) {
 
 // Factor on the light of a fibre's pixel.
 float openness(SurfaceBuffer surfaces, FrameParams frame, float radius, uint at, float depth, float size_mm) {
-    const ivec2 pixel = ivec2(at % frame.width, at / frame.width);
+    const ivec2 pixel = pixelPlace(at, frame.width);
     // Turned differently from pixel to pixel and from sample to sample, so that the samples of a picture at rest average.
     const uint turned = (at * 2654435761u ^ frame.sample_index * 2246822519u) >> 8u;
     const float turn = float(turned) * (6.28318531 / 16777216.0);
@@ -31,7 +31,7 @@ float openness(SurfaceBuffer surfaces, FrameParams frame, float radius, uint at,
 
 // Whether a nearer fibre's halo hides the pixel.
 bool inHalo(SurfaceBuffer surfaces, FrameParams frame, float width, uint at, float depth, float size_mm) {
-    const ivec2 pixel = ivec2(at % frame.width, at / frame.width);
+    const ivec2 pixel = pixelPlace(at, frame.width);
     const int reach = int(ceil(width));
     for (int y = -reach; y <= reach; ++y) {
         for (int x = -reach; x <= reach; ++x) {

@@ -3,9 +3,11 @@
 // Source: Lottes 2011, FXAA 3.11 (the variant for consoles): a blur along the edge that the brightness of the four corners tells.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/pixel_place.glsl"
+#include "shaders/common/srgb.glsl"
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/interop.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(buffer_reference, scalar) readonly buffer SourceBuffer { uint rgba[]; };
 layout(buffer_reference, scalar) writeonly buffer PictureBuffer { uint rgba[]; };
 layout(push_constant, scalar) uniform Push {
@@ -53,7 +55,7 @@ vec3 smoothed(ivec2 at) {
 }
 
 void main() {
-    const int at = int(gl_GlobalInvocationID.x);
+    const int at = int(globalInvocation());
     if (at >= push.width * push.height) return;
-    push.picture.rgba[at] = packUnorm4x8(vec4(smoothed(ivec2(at % push.width, at / push.width)), 1.0));
+    push.picture.rgba[at] = packedColour(smoothed(pixelPlace(uint(at), uint(push.width))));
 }

@@ -1,6 +1,8 @@
 // Deferred lighting of the surface buffer: one sample's light is added to the picture's sum. One invocation per pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/pixel_place.glsl"
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/shared/uncertainty.glsl"
@@ -10,7 +12,6 @@
 #include "shaders/frame/light_visibility.glsl"
 #include "shaders/common/medium.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
 layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
@@ -72,14 +73,14 @@ vec3 surfaceRadiance(FrameParams frame, Surface surface, LayerLook look, PixelRa
 
 void main() {
     const FrameParams frame = push.frame.frame;
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     if (at >= frame.width * frame.height) return;
     const Surface surface = push.surface.at[at];
     if (kPeel && kFirstSample) push.veil.at[at] = vec4(0.0, 0.0, 0.0, 1.0);
     if (kPeel && surface.who == 0xffffffffu) return;
     vec3 radiance = frame.background;
     if (surface.who != 0xffffffffu) {
-        const vec2 point = vec2(at % frame.width, at / frame.width) + 0.5 + frame.jitter;
+        const vec2 point = vec2(pixelPlace(at, frame.width)) + 0.5 + frame.jitter;
         const PixelRay ray = pixelRay(frame.rays, vec2(frame.width, frame.height), point);
         const LayerLook look = push.looks.at[surface.layer_and_steps >> 24u];
         vec3 base = vec3(0.5);

@@ -1,10 +1,10 @@
 // The mean of all samples as 8-bit sRGB: one invocation per pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/interop.glsl"
 #include "shaders/common/srgb.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(buffer_reference, scalar) readonly buffer LightBuffer { vec3 at[]; };
 layout(buffer_reference, scalar) writeonly buffer PictureBuffer { uint rgba[]; };
 layout(push_constant, scalar) uniform Push {
@@ -15,7 +15,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     if (at >= push.pixels) return;
-    push.picture.rgba[at] = packUnorm4x8(vec4(srgbFromLinear(push.light.at[at] / float(push.samples)), 1.0));
+    push.picture.rgba[at] = packedColour(srgbFromLinear(push.light.at[at] / float(push.samples)));
 }

@@ -5,9 +5,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/glyph_bounds.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const uint kCount = 1u;  // coefficients of the layout
 
 const uint kGlyphs = 4u;          // per workgroup
@@ -67,23 +67,23 @@ void write(uint glyph, GlyphExtremes e) {
     keep(8u, e.negative_up);
     keep(11u, e.negative_down);
     barrier();
-    if (gl_LocalInvocationIndex < kValues && glyph < push.glyphs) {
-        float largest = partial[gl_LocalInvocationIndex * kSubgroupsMost];
-        for (uint i = 1u; i < gl_NumSubgroups; ++i) largest = max(largest, partial[gl_LocalInvocationIndex * kSubgroupsMost + i]);
-        push.extremes.at[glyph * kValues + gl_LocalInvocationIndex] = largest;
+    if (localInvocation() < kValues && glyph < push.glyphs) {
+        float largest = partial[localInvocation() * kSubgroupsMost];
+        for (uint i = 1u; i < gl_NumSubgroups; ++i) largest = max(largest, partial[localInvocation() * kSubgroupsMost + i]);
+        push.extremes.at[glyph * kValues + localInvocation()] = largest;
     }
     barrier();
 }
 
 void main() {
     const uint first = push.first + gl_WorkGroupID.x * kGlyphs;
-    for (uint i = gl_LocalInvocationIndex; i < kCount * kGlyphs; i += gl_WorkGroupSize.x) {
+    for (uint i = localInvocation(); i < kCount * kGlyphs; i += gl_WorkGroupSize.x) {
         const uint glyph = min(first + i % kGlyphs, push.glyphs - 1u), j = i / kGlyphs;
         coefficients[i] = push.coefficients.at[push.slots.at[glyph] * push.stride + j] * push.unit.at[glyph];
     }
     barrier();
     GlyphExtremes extremes[kGlyphs] = GlyphExtremes[](nothing(), nothing(), nothing(), nothing());
-    for (uint d = gl_LocalInvocationIndex; d < push.directions; d += gl_WorkGroupSize.x) {
+    for (uint d = localInvocation(); d < push.directions; d += gl_WorkGroupSize.x) {
         vec4 f = vec4(0.0);
         for (uint j = 0u; j < kCount; ++j) {
             const uint at = j * kGlyphs;

@@ -4,11 +4,11 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/common/depth_code.glsl"
 #include "shaders/common/octahedral.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kFirstLayer = true;  // nothing is in the surface buffer yet
 layout(constant_id = 2) const bool kBoxes = false;      // drawn by boxes.frag, else by mesh.frag
 
@@ -31,7 +31,7 @@ layout(push_constant, scalar) uniform Push {
 const uint kNone = 0xffffffffu;
 
 void main() {
-    const uint at = gl_GlobalInvocationID.x;
+    const uint at = globalInvocation();
     const bool inside = at < push.pixels;
     bool newly_hit = false;
     if (inside) {

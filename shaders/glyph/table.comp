@@ -1,6 +1,7 @@
 // Builds the pole-frame table of each glyph for the frame's camera, or for rays towards its light: one invocation per glyph.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 
 layout(constant_id = 20) const bool kTowardsLight = false;
@@ -12,7 +13,7 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
     const GlyphLayerParams layer = push.layer.layer;
-    const uint index = gl_GlobalInvocationID.x;
+    const uint index = globalInvocation();
     if (index >= layer.count) return;
     const GlyphInstance instance = InstanceBuffer(layer.instances).at[index];
     loadCoefficients(layer.coefficients, layer.stride, instance.slot);

@@ -2,6 +2,7 @@
 // and MRtrix do it. Normals are those of the glyph itself (Peters et al. 2023, Eq. 11) in the mesh's directions.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "shaders/common/glyph_normal.glsl"
 #include "shaders/shared/raster.glsl"
@@ -19,7 +20,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint vertex = gl_GlobalInvocationID.x;
+    const uint vertex = globalInvocation();
     if (vertex >= push.vertex_count) return;
     const GlyphLayerParams layer = push.layer.layer;
     const GlyphInstance instance = InstanceBuffer(layer.instances).at[push.list.at[push.first + gl_WorkGroupID.y]];

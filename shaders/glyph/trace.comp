@@ -6,6 +6,7 @@
 #ifdef TRAVERSE_RAY_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "shaders/common/glyph_normal.glsl"
 #include "shaders/glyph/intersect.glsl"
@@ -25,7 +26,7 @@ const uint kNone = 0xffffffffu;
 
 // Invocations are laid out so that any subgroup of 8, 16, 32 or 64 covers a compact block of pixels.
 uvec2 pixelOfInvocation() {
-    const uint i = gl_LocalInvocationIndex;
+    const uint i = localInvocation();
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
 }

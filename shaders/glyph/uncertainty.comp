@@ -4,6 +4,7 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_arithmetic : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "shaders/glyph/intersect.glsl"
 #include "shaders/common/circle_inside.glsl"
@@ -28,7 +29,7 @@ float travelled = 0.0;  // mm
 
 // Invocations are laid out so that any subgroup of 8, 16, 32 or 64 covers a compact block of pixels.
 uvec2 pixelOfInvocation() {
-    const uint i = gl_LocalInvocationIndex;
+    const uint i = localInvocation();
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
 }

@@ -1,6 +1,7 @@
 // Rotates each glyph's coefficients for the frame's camera, for van Almsick's method: one invocation per glyph.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "van_almsick.glsl"
 
@@ -11,7 +12,7 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
     const GlyphLayerParams layer = push.layer.layer;
-    const uint index = gl_GlobalInvocationID.x;
+    const uint index = globalInvocation();
     if (index >= layer.count) return;
     const GlyphInstance instance = InstanceBuffer(layer.instances).at[index];
     loadCoefficients(layer.coefficients, layer.stride, instance.slot);

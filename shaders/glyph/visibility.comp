@@ -4,6 +4,7 @@
 // Sources: Peters et al. 2023, Sec. 4.3 (shadow rays); shaders/common/projected_cap.glsl, glyph_occlusion.glsl.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "shaders/common/glyph_occlusion.glsl"
 
@@ -30,7 +31,7 @@ layout(push_constant, scalar) uniform Push {
 uint capped_rays = 0u;
 
 uvec2 pixelOfInvocation() {
-    const uint i = gl_LocalInvocationIndex;
+    const uint i = localInvocation();
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
 }

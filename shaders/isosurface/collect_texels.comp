@@ -1,9 +1,8 @@
 // Lists the texels that pixels need, with what is known of them. One invocation per place of the pool; the order is not defined.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/lattice.glsl"
-
-layout(local_size_x_id = 0) in;
 
 layout(buffer_reference, scalar, buffer_reference_align = 4) buffer ItemList {
     uint count;
@@ -18,7 +17,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint place = gl_GlobalInvocationID.x;
+    const uint place = globalInvocation();
     if (place >= push.places) return;
     const LatticeParams lattice = push.lattice.lattice;
     const uint coverage = wordsAt(lattice.coverage, place, 1u).at[0];

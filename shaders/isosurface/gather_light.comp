@@ -4,10 +4,10 @@
 // Source: Wyman et al. 2006, Sec. 4.2.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/hit_point.glsl"
 #include "shaders/isosurface/texel_weights.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 2) const bool kSettled = false;  // texels must be as exact as a picture at rest wants them
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -34,7 +34,7 @@ bool isDone(uint state) {
 
 void main() {
     const FrameParams frame = push.frame.frame;
-    const uint pixel = gl_GlobalInvocationID.x;
+    const uint pixel = globalInvocation();
     if (pixel >= frame.width * frame.height) return;
     const IsosurfaceParams layer = push.layer.layer;
     const Surface surface = push.surface.at[pixel];

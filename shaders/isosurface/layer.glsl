@@ -1,11 +1,11 @@
 // One isosurface layer in a frame, and the hit of a pixel's ray with it. Included by the passes of shaders/isosurface.
+#include "shaders/common/invocation.glsl"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/isosurface.glsl"
 #include "shaders/common/camera_rays.glsl"
 #include "shaders/isosurface/trace_volume.glsl"
 #include "shaders/isosurface/march_volume.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kBricks = true;
 layout(constant_id = 2) const bool kMarch = false;          // march-bisect instead of the exact hit
 layout(constant_id = 3) const bool kSplineNormals = true;   // else of the trilinear cell
@@ -16,7 +16,7 @@ layout(buffer_reference, scalar) readonly buffer SurfaceLayerBuffer { Isosurface
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 
 uvec2 pixelOfInvocation(uint first_block_row) {
-    const uint i = gl_LocalInvocationIndex;
+    const uint i = localInvocation();
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
     return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + first_block_row) * 8u + inside;
 }

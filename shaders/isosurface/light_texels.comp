@@ -3,9 +3,9 @@
 // Sums are kept in float32 from stage to stage.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/light_paths.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kTransfer = false;
 layout(constant_id = 2) const uint kStorage = TEXELS_FLOAT16;
 
@@ -25,7 +25,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint item_number = push.first_item + gl_GlobalInvocationID.x;
+    const uint item_number = push.first_item + globalInvocation();
     if (item_number >= push.item_end) return;
     const LatticeParams lattice = push.lattice.lattice;
     const TexelItem item = push.items.at[item_number];

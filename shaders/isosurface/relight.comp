@@ -1,9 +1,9 @@
 // Payloads meet the light anew, or another albedo: one invocation per place of the pool. Nothing is traced.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/lattice.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 1) const bool kTransfer = false;
 layout(constant_id = 2) const uint kStorage = TEXELS_FLOAT16;
 
@@ -13,7 +13,7 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint place = gl_GlobalInvocationID.x;
+    const uint place = globalInvocation();
     if (place >= push.places) return;
     const LatticeParams lattice = push.lattice.lattice;
     const uint state = wordsAt(lattice.state, place, 1u).at[0];

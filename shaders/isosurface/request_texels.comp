@@ -2,10 +2,10 @@
 // the sum of its weights over pixels. One invocation per pixel. Source: Wyman et al. 2006, Sec. 4 (lazy computation).
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
 #include "shaders/isosurface/hit_point.glsl"
 #include "shaders/isosurface/texel_weights.glsl"
 
-layout(local_size_x_id = 0) in;
 layout(constant_id = 2) const bool kBricks = false;  // mark bricks
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
@@ -21,7 +21,7 @@ layout(push_constant, scalar) uniform Push {
 
 void main() {
     const FrameParams frame = push.frame.frame;
-    const uint pixel = gl_GlobalInvocationID.x;
+    const uint pixel = globalInvocation();
     if (pixel >= frame.width * frame.height) return;
     const IsosurfaceParams layer = push.layer.layer;
     const Surface surface = push.surface.at[pixel];

@@ -8,7 +8,7 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 
-layout(local_size_x_id = 0) in;
+#include "shaders/common/invocation.glsl"
 
 layout(buffer_reference, scalar) readonly buffer SharedValues { float value[]; };
 
@@ -24,6 +24,6 @@ layout(buffer_reference, scalar) readonly buffer SharedValues { float value[]; }
 
 #define FUNCTION_MAIN                                                                        \
     void main() {                                                                            \
-        const uint i = gl_GlobalInvocationID.x;                                              \
+        const uint i = globalInvocation();                                              \
         if (i < push.count) push.outputs.value[i] = function(push.inputs.value[i]);          \
     }

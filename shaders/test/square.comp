@@ -4,7 +4,9 @@
 #extension GL_EXT_scalar_block_layout : require
 #extension GL_EXT_shader_explicit_arithmetic_types_int64 : require
 
-layout(local_size_x_id = 0) in;
+#extension GL_GOOGLE_include_directive : require
+#include "shaders/common/invocation.glsl"
+
 layout(buffer_reference, scalar) buffer Numbers { float value[]; };
 layout(push_constant, scalar) uniform Push {
     Numbers numbers;
@@ -12,6 +14,6 @@ layout(push_constant, scalar) uniform Push {
 } push;
 
 void main() {
-    const uint i = gl_GlobalInvocationID.x;
+    const uint i = globalInvocation();
     if (i < push.count) push.numbers.value[i] *= push.numbers.value[i];
 }

@@ -36,6 +36,8 @@ class CatalogTest(ClientTest):
         table = self.radiata("limits").stdout
         self.assertIn(f"{limits['width_max']}x{limits['height_max']} pixels", table)
         self.assertIn(limits["device"], table)
+        self.assertRegex(table, rf"\nrays of soft shadows +{limits['shadow_rays_max']} per sample")
+        self.assertRegex(table, rf"\nrays of ambient occlusion +{limits['occlusion_rays_max']} per sample")
 
     def test_help_names_every_command(self):
         text = self.radiata("--help").stdout

@@ -69,7 +69,8 @@ class ConvertTest(unittest.TestCase):
     def test_usage(self):
         for arguments in ([], ["uncertainty"], ["nothing"], ["uncertainty", self.image, "out.nii", "--seed", -1]):
             done = run("radiata-convert", *arguments, check=False)
-            self.assertGreater(done.returncode, 0, arguments)
+            self.assertEqual(done.returncode, 2, arguments)
+            self.assertRegex(done.stderr, r"\Aradiata-convert: [^\n]+\n\Z")
         self.assertIn("--deviation", run("radiata-convert", "uncertainty", "--help").stdout)
 
     def test_tensors_become_the_bands_of_the_same_functions(self):

@@ -5,7 +5,7 @@ import os
 import socket
 import unittest
 
-from programs import ClientTest, fake_server, run
+from programs import SOURCE, ClientTest, fake_server, run
 
 CAMERA = {"eye_mm": [0, 0, 100], "target_mm": [0, 0, 0], "up": [0, 1, 0], "height_mm": 100}
 
@@ -42,6 +42,7 @@ class ErrorsTest(ClientTest):
                                 (["render", "-o", out, "--camera", "no-such-file.json"], "no-such-file.json"),
                                 (["render", "-o", out, "--camera", json.dumps({**CAMERA, "fov": 3})], "'fov'"),
                                 (["render", "-o", out, "--depth", out], "two outputs"),
+                                (["render", "-o", self.folder / "a.gif"], "ends in .gif"),
                                 (["render", "-o", out, "--stream", "--depth", self.folder / "d.npy"], "--stream"),
                                 (["orbit", "-o", self.folder, "--frames", "0"], "--frames"),
                                 (["orbit"], "--output")):
@@ -66,6 +67,9 @@ class ErrorsTest(ClientTest):
         for radius in ("0", "-1", "nan"):
             self.fails(4, ["render", "--shadow", "soft", "--light-radius", radius] + out, "angular_radius_deg")
         self.fails(4, ["render", "--shadow", "soft", "--shadow-rays", "10000"] + out, "shadow_rays is 10000")
+        self.fails(4, ["render", "--light", "0,0,0"] + out, "direction_camera is (0, 0, 0)")
+        self.fails(4, ["render", "--background", "0,2,0"] + out, "background is (0, 2, 0)")
+        self.fails(4, ["render", "--plane", "oblique", "--normal", "0,nan,1"] + out, "normal is (0, nan, 1)")
         for camera, word in (({**CAMERA, "up": [0, 0, 0]}, "up"), ({**CAMERA, "up": [0, 0, 2]}, "parallel"),
                              ({**CAMERA, "eye_mm": [0, 0, 0]}, "differ"), ({**CAMERA, "height_mm": -1}, "height_mm"),
                              ({**CAMERA, "clip": {"nearest_mm": 3, "farthest_mm": 2}}, "clip")):
@@ -84,6 +88,24 @@ class ErrorsTest(ClientTest):
         self.fails(5, ["--clients", "1", "--json", self.folder / "missing" / "a.json"], "missing", program="radiata-load")
         if os.path.exists("/dev/full"):
             self.fails(5, ["render", "--size", "64x64", "-o", "/dev/full"], "/dev/full")
+
+    def test_the_servers_own_flags(self):
+        for arguments, word in ((["--listen", "127.0.0.1:99999"], "0 to 65535"), (["--listen", "here"], "0 to 65535"),
+                                (["--limits", "width=-1"], "width=-1"), (["--threads", "0"], "--threads")):
+            with self.subTest(arguments=arguments):
+                done = run("radiata-server", "--stub-render", "0", *arguments, check=False)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertRegex(done.stderr, r"\Aradiata-server: [^\n]+\n\Z")
+                self.assertIn(word, done.stderr)
+
+    def test_the_service_unit_names_flags_that_there_are(self):
+        unit = (SOURCE / "deploy/radiata-server.service").read_text().replace("\\\n", " ")
+        command = next(line for line in unit.splitlines() if line.startswith("ExecStart="))
+        known = run("radiata-server", "--help").stdout
+        flags = [word for word in command.split() if word.startswith("--")]
+        self.assertIn("--data", flags)
+        for flag in flags:
+            self.assertIn(f"  {flag} ", known)
 
     def test_a_misbehaving_server_is_named(self):
         for mode, arguments, code, word in (

@@ -12,7 +12,7 @@ import re
 import tree
 
 # Left to right; a library links only libraries of earlier groups.
-ORDER = [{"base"}, {"math"}, {"model"}, {"io", "build", "plan", "reference", "encode", "gpu"}, {"store"},
+ORDER = [{"base"}, {"math"}, {"model"}, {"io", "build", "plan", "reference", "encode", "gpu"}, {"ingest"}, {"store"},
          {"render/glyph", "render/fiblet", "render/isosurface", "render/light"}, {"render/frame"}, {"session"}, {"service"}]
 # Programs are no libraries. The measuring program runs where there is no gRPC.
 TOOLS = {"tools": lambda table: set(table) | {"tools"}, "tools/lab": lambda table: set(table) - {"service", "session"} | {"tools/lab"}}
@@ -20,7 +20,7 @@ TOOLS = {"tools": lambda table: set(table) | {"tools"}, "tools/lab": lambda tabl
 PROTOBUF = (r"(google/protobuf|grpc|grpcpp|grpc\+\+|radiata/v1)/", {"service", "tools"})
 VULKAN = (r"(vulkan/|volk\.h|vk_video/)", {"gpu", "store", "render/glyph", "render/fiblet", "render/isosurface", "render/light", "render/frame"})
 # Headers that anybody may include from there: structs that C++ and GLSL share, and the embedded modules.
-SHADER_HEADERS = {"model": r"shaders/shared/", "build": r"shaders/shared/", "plan": r"shaders/shared/", "store": r"shaders/", "render": r"shaders/", "tools": r"shaders/"}
+SHADER_HEADERS = {"model": r"shaders/shared/", "build": r"shaders/shared/", "ingest": r"shaders/shared/", "plan": r"shaders/shared/", "store": r"shaders/", "render": r"shaders/", "tools": r"shaders/"}
 REFERENCE_MAY = r"(reference/|model/|base/|glm/|math/(?!sh_evaluate|polar|sh_rotation))"
 CLIENT_MAY = r"(common|cli|load|base|math|model|io)/"
 INCLUDE = re.compile(r'^\s*#\s*include\s+([<"])([^>"]+)[>"]')

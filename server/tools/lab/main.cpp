@@ -1,5 +1,6 @@
 // radiata-lab: what accuracy costs in time. In-process, no gRPC; needs nothing but the Vulkan loader and the C++ runtime.
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 
 #include <CLI/CLI.hpp>
@@ -22,6 +23,14 @@ void write(const std::string& option, const std::string& name, const std::string
     if (!file.good()) throw Error(Code::kInvalidArgument, option + ": '" + name + "' cannot be written");
 }
 
+/// Said before minutes of measuring, not after.
+void requireFolder(const std::string& option, const std::string& name) {
+    const std::filesystem::path folder = std::filesystem::path(name).parent_path();
+    if (!folder.empty() && !std::filesystem::is_directory(folder)) {
+        throw Error(Code::kInvalidArgument, option + ": there is no folder '" + folder.string() + "'");
+    }
+}
+
 void write(const Output& output, const lab::Report& report) {
     if (!output.json_file.empty()) write("--json", output.json_file, lab::toJson(report).dump(1) + '\n');
     if (output.svg_file.empty()) return;
@@ -35,6 +44,8 @@ int run(const std::string& name, const gpu::DeviceOptions& device_options, const
         bool check) {
     for (const lab::Experiment& experiment : lab::experiments()) {
         if (experiment.name != name) continue;
+        requireFolder("--json", output.json_file);
+        requireFolder("--svg", output.svg_file);
         gpu::Device device(device_options);
         const lab::Report report = experiment.run(device, options);
         lab::print(report);

@@ -154,7 +154,7 @@ Report schertzerTable1(gpu::Device&, const Options& options) {
     const auto scenes = tractScenes(options.size > 0 ? std::size_t(options.size) : 1000);
     for (const TractScene& scene : scenes) {
         const model::Tractogram& t = scene.tractogram;
-        const FibletMeasures measures = measureTractogram(*model::sourceOf(t), {});
+        const FibletMeasures measures = measureTractogram(*model::sourceOf(t), 1 << 20, {});
         const double points = double(t.fibres.points.size());
         const model::FibletSet compact = encodeFiblets(t, {});
         Table table{scene.name + ", " + std::to_string(t.fibreCount()) + " fibres, largest turn " +

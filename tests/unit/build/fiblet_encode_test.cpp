@@ -136,6 +136,24 @@ TEST(FibletEncode, RefusesWhatItCannotHoldByTheFibresName) {
     EXPECT_THAT(refusal({}, {.bound_um = 0}), HasSubstr("above 0"));
 }
 
+/// Down to the bound that no search holds: the nearest codes alone fail long before, on fibres with any turn.
+TEST(FibletEncode, FastSettingsHoldWhatCarefulOnesDo) {
+    const test::Fibres wild = test::randomFibres(4, 10, 150, 0.1, 3.1415);
+    const auto holds = [&](const FibletOptions& options) {
+        try {
+            return encodeFiblets(wild.points, wild.offsets, options).errors.max_um <= options.bound_um;
+        } catch (const Error&) {
+            return false;
+        }
+    };
+    double bound = 30;
+    for (; holds({.bound_um = bound}); bound *= 0.7) {
+        EXPECT_TRUE(holds({.bound_um = bound, .beam = 0, .least_width = 8})) << bound;
+    }
+    std::printf("nothing holds %.2f um\n", bound);
+    EXPECT_LT(bound, 10);
+}
+
 TEST(FibletEncode, GivesEqualBytesAndBoxesThatHoldAllPoints) {
     const test::Fibres fibres = test::randomFibres(10, 200, 400, 0.1, 0.2);
     const model::FibletSet set = encodeFiblets(fibres.points, fibres.offsets, {}),

@@ -53,8 +53,21 @@ TEST_F(EnvironmentMapTest, RefusesFilesThatLie) {
     EXPECT_THROW(readEnvironmentMap("/nowhere/sky.hdr"), Error);
 }
 
+TEST_F(EnvironmentMapTest, RefusesEveryTruncationOfPackedRows) {
+    // Rows of runs: 2, 2, the width, and for each of four channels one run of all columns.
+    constexpr int kWidth = 32, kHeight = 16;
+    const std::string run("\xa0\x80", 2), row = std::string("\x02\x02\x00\x20", 4) + run + run + run + run;
+    std::string whole = header(kWidth, kHeight);
+    const std::size_t begin = whole.size();
+    for (int y = 0; y < kHeight; ++y) whole += row;
+    EXPECT_EQ(readBytes(whole).pixels.back(), glm::vec3(0.5F));
+    for (std::size_t bytes = begin; bytes < whole.size(); ++bytes)
+        EXPECT_THROW(readBytes(whole.substr(0, bytes)), Error) << bytes;
+    EXPECT_THROW(readBytes(whole.substr(0, begin + 4) + std::string(1000, '\0')), Error) << "runs of no pixels to its end";
+}
+
 TEST_F(EnvironmentMapTest, RefusesNegativeAndInfiniteRadianceWithItsPlace) {
-    for (const float value : {-1.0F, std::numeric_limits<float>::infinity(), std::nanf("")}) {
+    for (const float value : {-1.0F, 1e16F, std::numeric_limits<float>::infinity(), std::nanf("")}) {
         model::EnvironmentMap map{4, 2, std::vector<glm::vec3>(8, glm::vec3(1)), "sky.hdr"};
         checkEnvironmentMap(map);
         map.pixels[6].y = value;

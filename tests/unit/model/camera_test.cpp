@@ -57,6 +57,9 @@ TEST(Camera, NamesTheFieldThatIsWrong) {
     camera.eye_mm.y = nan;
     EXPECT_NE(complaint(camera).find("eye_mm"), std::string::npos);
     camera = sound();
+    camera.eye_mm.z = -2e12;
+    EXPECT_NE(complaint(camera).find("at most 1e12 mm"), std::string::npos) << "a blank picture would be no answer";
+    camera = sound();
     camera.target_mm.x = std::numeric_limits<double>::infinity();
     EXPECT_NE(complaint(camera).find("target_mm"), std::string::npos);
     camera = sound();
