@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "build/fiblet_pages.h"
 #include "build/phantom_random.h"
 
 namespace radiata {
@@ -11,10 +12,6 @@ namespace {
 constexpr std::uint64_t kSeed = 0x66696272;
 constexpr std::uint64_t kRecordBytes = sizeof(model::FibletHead) + sizeof(shader::FibletBox);
 constexpr std::uint32_t kPlaceMask = 1023U << 10;  ///< of FibletHead::shape: where the codes begin
-
-std::uint32_t wordsOf(const model::FibletHead& head) {
-    return model::fibletWords(model::fibletSegments(head), model::fibletWidth(head), model::fibletIsShortened(head));
-}
 
 /// One flag per fibre.
 std::vector<bool> chosenFibres(const model::FibletSet& set, std::uint64_t bytes_max, std::uint64_t& count) {
