@@ -13,6 +13,8 @@ constexpr double kNearnessLeast = 1e-5;
 /// from decoding on the CPU, where boxes were made, mm.
 constexpr double kRounding = 5e-7;
 constexpr double kDecoding = 3e-4;
+/// One page in so many may be beside a picture that is told to have all.
+constexpr std::size_t kPagesInside = 16;
 
 }  // namespace
 
@@ -41,6 +43,18 @@ shader::FibletView fibletView(const shader::CameraRays& rays, const glm::ivec2& 
     view.rounding = static_cast<float>(kDecoding + kRounding * (reach_mm + glm::length(reference_from_origin)));
     view.line_width = 1;
     return view;
+}
+
+bool areInside(const shader::FibletView& view, std::span<const shader::FibletPage> pages) {
+    const auto beside = std::ranges::count_if(pages, [&view](const shader::FibletPage& page) {
+        const glm::vec3 middle = 0.5F * (page.low + page.high) - view.reference_high - view.reference_low;
+        const float depth = glm::dot(view.forward, middle), nearness = 1 + depth * view.inverse_distance;
+        if (!(depth >= view.near_depth && depth <= view.far_depth && nearness > 0)) return true;
+        const glm::vec2 at = view.centre + glm::vec2(glm::dot(view.right, middle), -glm::dot(view.up, middle)) / nearness -
+                             glm::vec2(view.window_x, view.window_y);
+        return !(at.x >= 0 && at.y >= 0 && at.x < static_cast<float>(view.width) && at.y < static_cast<float>(view.height));
+    });
+    return static_cast<std::size_t>(beside) * kPagesInside <= pages.size();
 }
 
 }  // namespace radiata::plan

@@ -1,6 +1,8 @@
 // The camera's rays as the projection that fiblets are drawn and culled by.
 #pragma once
 
+#include <span>
+
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/shared/frame.glsl"
 
@@ -20,5 +22,9 @@ struct PixelWindow {
 /// that see less than 1e5 pixels of the scene.
 shader::FibletView fibletView(const shader::CameraRays& rays, const glm::ivec2& picture, const PixelWindow& window,
                               const glm::vec2& jitter, const glm::dvec3& reference_from_origin, double reach_mm);
+
+/// Whether nearly all pages are in the picture, by their boxes' middles: to list what is in it takes longer then than to draw
+/// what is beside it too.
+bool areInside(const shader::FibletView& view, std::span<const shader::FibletPage> pages);
 
 }  // namespace radiata::plan

@@ -181,6 +181,17 @@ void markFirst(std::vector<PassPlan>& passes) {
     for (PassPlan& pass : passes) pass.first = pass.layer == first->layer;
 }
 
+/// Where no layer of fibres is culled in two phases, the request as it is resolved does not say so.
+void noteCulling(FramePlan& plan) {
+    const auto is = [](model::FibletCulling culling) {
+        return [culling](const std::optional<FibletPlan>& fiblets) { return fiblets && fiblets->culling == culling; };
+    };
+    if (std::ranges::any_of(plan.fiblets, is(model::FibletCulling::kFrustum)) &&
+        std::ranges::none_of(plan.fiblets, is(model::FibletCulling::kTwoPhase))) {
+        plan.resolved.quality.fiblet_culling = model::FibletCulling::kFrustum;
+    }
+}
+
 /// Ends of a colour map that the request leaves open.
 model::ColourRange colourRange(const model::GlyphColour& colour, const LayerFacts& facts) {
     if (colour.range) return *colour.range;
@@ -247,6 +258,7 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         }
         plan.glyphs.push_back(std::move(glyphs));
     }
+    noteCulling(plan);
     markFirst(plan.passes);
     planVeil(plan);
     planPeels(plan);
@@ -255,7 +267,8 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
     planUncertainty(plan, layers, abilities);
     planIllumination(plan);
     plan.passes.push_back({PassKind::kLight, "light", "light", -1});
-    plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
+    // One sample is shown as the light pass writes it.
+    if (plan.resolved.quality.samples > 1) plan.passes.push_back({PassKind::kResolve, "resolve", "resolve", -1});
     if (plan.resolved.quality.fxaa) plan.passes.push_back({PassKind::kFxaa, "fxaa", "fxaa", -1});
     return plan;
 }

@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "plan/plan.h"
+#include "shaders/shared/fiblet.glsl"
 
 namespace radiata::plan {
 namespace {
@@ -79,6 +80,25 @@ void checkPaged(const FibletPlan& fiblets, const model::Quality& quality, const 
                                         "tractogram (--tract-memory)");
 }
 
+/// Segments per pixel from which it pays to look for fiblets that others hide, and the pixels up to which it costs next to
+/// nothing: below, and above, pyramids of depths take longer than what they spare. What is seen is the same. Measured on
+/// lavapipe (docs/architecture.md, "Fibres").
+constexpr double kHidingSegments = 20;
+constexpr double kHidingPixels = 300'000;
+
+/// What is drawn of a layer.
+model::FibletCulling chooseCulling(const LayerFacts& facts, const model::FrameRequest& request) {
+    const model::Quality& quality = request.quality;
+    if (quality.fiblet_culling != model::FibletCulling::kTwoPhase || quality.frozen_culling ||
+        quality.fiblet_pipeline != model::FibletPipeline::kAtomic || facts.paged) {
+        return quality.fiblet_culling;
+    }
+    const double segments = static_cast<double>(facts.fiblets) * shader::FIBLET_SEGMENTS;
+    const double pixels = static_cast<double>(request.width) * static_cast<double>(request.height);
+    const bool pays = pixels <= kHidingPixels || segments >= kHidingSegments * pixels;
+    return pays ? model::FibletCulling::kTwoPhase : model::FibletCulling::kFrustum;
+}
+
 /// The module that draws.
 std::string fibletShader(model::FibletPipeline pipeline) {
     switch (pipeline) {
@@ -114,7 +134,7 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     if (model::drawsUncompressed(quality.fiblet_pipeline)) quality.fiblet_culling = model::FibletCulling::kNone;
     fiblets.pipeline = quality.fiblet_pipeline;
     fiblets.mesh_subgroups = abilities.mesh_subgroups;
-    fiblets.culling = plan.resolved.quality.fiblet_culling;
+    fiblets.culling = chooseCulling(facts, plan.resolved);
     fiblets.tubes = layer.tube_radius_mm.has_value();
     fiblets.selected_only = fiblets.tubes && layer.selected.has_value();
     fiblets.lines = !fiblets.tubes || fiblets.selected_only;

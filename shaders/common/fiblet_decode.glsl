@@ -79,9 +79,11 @@ vec4 fibletCodeTurn(uint code, uint width, float ratio) {
     const int side = int((1u << half_width) - 1u);
     // Whole numbers: what lies on the cap's rim is exactly there, where the square root below is steep.
     const ivec2 q = 2 * ivec2(code & uint(side), code >> half_width) - side;
-    const vec3 mapped = normalize(vec3(side - max(abs(q.x), abs(q.y)), 0.5 * float(q.x + q.y), 0.5 * float(q.x - q.y)));
-    const float s = sqrt(0.5 * ratio / (1.0 + mapped.x));
-    return vec4(0.0, -s * mapped.z, s * mapped.y, sqrt((1.0 - 0.5 * ratio) + 0.5 * ratio * mapped.x));
+    const vec3 at = vec3(side - max(abs(q.x), abs(q.y)), 0.5 * float(q.x + q.y), 0.5 * float(q.x - q.y));
+    // Of the direction d of `at`: s = sqrt(ratio / 2 / (1 + d.x)) / |at|, with one division in all.
+    const float size = length(at), one = 1.0 / (size * (size + at.x));
+    const float s = sqrt(0.5 * ratio * one), x = at.x * (size + at.x) * one;
+    return vec4(0.0, -s * at.z, s * at.y, sqrt((1.0 - 0.5 * ratio) + 0.5 * ratio * x));
 }
 
 struct FibletPen {

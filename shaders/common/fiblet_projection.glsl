@@ -12,7 +12,10 @@ vec4 fibletEyePoint(FibletView view, vec3 p) {
 }
 
 // Column and row in the whole picture. \param eye  of positive nearness
-vec2 fibletPixel(FibletView view, vec4 eye) { return vec2(view.centre.x + eye.x / eye.w, view.centre.y - eye.y / eye.w); }
+vec2 fibletPixel(FibletView view, vec4 eye) {
+    const float farther = 1.0 / eye.w;
+    return vec2(view.centre.x + eye.x * farther, view.centre.y - eye.y * farther);
+}
 
 // Least and greatest of dot(axis, q) over a box about `middle`.
 vec2 fibletSpan(vec3 axis, vec3 middle, vec3 reach) {

@@ -1,4 +1,5 @@
-// Words of pixels before a layer's fiblets are drawn: the depth of what earlier layers show there, or infinity, and nobody.
+// Words of pixels before a layer's fiblets are drawn: the depth of what earlier layers show there, and nobody. Where there are none,
+// the words are filled with ones without a pass: no depth has as high an order.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/common/invocation.glsl"
@@ -6,8 +7,7 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/fiblet/pixel_stretch.glsl"
 
-layout(constant_id = 1) const bool kFirstLayer = true;
-layout(constant_id = 2) const bool kCounting = false;  // segments before what is opaque will be counted
+layout(constant_id = 1) const bool kCounting = false;  // segments before what is opaque will be counted
 
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(push_constant, scalar) uniform Push {
@@ -19,8 +19,7 @@ void main() {
     const FibletLayerParams layer = push.layer.layer;
     const uint at = globalInvocation();
     if (at >= uint(layer.view.width * layer.view.height)) return;
-    float depth = uintBitsToFloat(0x7f800000u);
-    if (!kFirstLayer) depth = push.surface.at[at].depth / pixelStretch(layer.view, at);
+    const float depth = push.surface.at[at].depth / pixelStretch(layer.view, at);
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | FIBLET_NOBODY;
     WordBuffer(layer.words).at[at] = word;
     if (kCounting) {

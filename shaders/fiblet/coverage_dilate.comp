@@ -14,7 +14,7 @@ void main() {
     if (at >= coverage.columns * coverage.rows) return;
     const ivec2 texel = pixelPlace(uint(at), uint(coverage.columns));
     const float farthest = depthOfOrder(UintBuffer(coverage.depths).at[at]);
-    const float depth = isinf(farthest) ? coverage.far_depth : farthest;
+    const float depth = farthest < 3e38 ? farthest : coverage.far_depth;  // words of pixels without a fibre are no numbers
     const float nearness = 1.0 + depth * view.inverse_distance;
     if (!(nearness > 0.0)) return;
     const float pixel_mm = nearness * inversesqrt(dot(view.right, view.right));

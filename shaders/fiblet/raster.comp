@@ -6,6 +6,7 @@
 // Source of the key: Schuetz et al. 2021 (compute rasterisation of points); of lines: DDA with the centre rule of Bresenham.
 #version 460
 #extension GL_GOOGLE_include_directive : require
+#extension GL_KHR_shader_subgroup_ballot : require
 #include "shaders/common/invocation.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/walk.glsl"
@@ -43,7 +44,7 @@ uint64_t shown = 0ul;  // bit i: segment i is
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
-void mark(uint pixel, float depth, uint who, uint direction) {
+void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal) {
     if (kFinding) {
         const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
         if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
@@ -53,16 +54,24 @@ void mark(uint pixel, float depth, uint who, uint direction) {
     if (kPeel && word <= peeled.at[pixel]) return;
     if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
     if (words.at[pixel] < word) return;
-    if (atomicMin(words.at[pixel], word) >= word) tangents.at[pixel] = uint64_t(direction) << 32 | who;
+    if (atomicMin(words.at[pixel], word) < word) return;
+    const uint direction = kTubes && dot(normal, normal) > 0.0 ? packTube(along, normal) : packLine(along);
+    tangents.at[pixel] = uint64_t(direction) << 32 | who;
 }
 
 void noteError(FibletLayerParams layer, float error) {
     if (error > 0.0) atomicMax(CountsBuffer(layer.counts).counts.error_px, floatBitsToUint(error));
 }
 
+// Of a whole number within 2^22: CPU drivers convert lane by lane.
+int wholeNumber(float whole) {
+    precise const float marked = whole + 12582912.0;
+    return floatBitsToInt(marked) - floatBitsToInt(12582912.0);
+}
+
 // \param a, b   eye points of the ends, clipped to the near plane \param count  segments from `who` on that the line stands for
 // \param share  of the line that was drawn, from end to end
-void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, uint direction) {
+void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, vec3 way) {
     const vec2 pixel_a = fibletPixel(view, a), pixel_b = fibletPixel(view, b);
     const vec2 along = pixel_b - pixel_a;
     const bool columns = abs(along.x) >= abs(along.y);
@@ -72,30 +81,36 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, uint direction)
     // Bounded before the conversion to integers: ends may be far outside.
     const float low = clamp(min(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
-    const int begin = max(int(ceil(low - 0.5)), origin.x), end = min(int(ceil(high - 0.5)), origin.x + size.x);
+    const int begin = max(wholeNumber(ceil(low - 0.5)), origin.x), end = min(wholeNumber(ceil(high - 0.5)), origin.x + size.x);
     const int width = int(view.line_width);
     // Half of what a strip of the line's width takes of a column that it crosses at a slant.
     const float slope = (to.y - from.y) / max(abs(to.x - from.x), 1e-6);
     const float half_strip = 0.5 * view.line_width * sqrt(1.0 + slope * slope);
-    for (int i = begin; i < end; ++i) {
+    if (begin >= end) return;
+    int i = begin;
+    do {
         const float share = clamp((float(i) + 0.5 - from.x) / (to.x - from.x), 0.0, 1.0);
         const float across = from.y + share * (to.y - from.y);
         // Depth is linear in space, not in the picture.
         const float s = share * a.w / (share * a.w + (1.0 - share) * b.w);
         const float depth = a.z + s * (b.z - a.z);
-        if (depth > view.far_depth || !(abs(across) < 1e6)) continue;
         uint here = who;
         if (kDetail != 0u || kSmallAsLines) here += min(uint(mix(shares.x, shares.y, s) * float(count)), count - 1u);
-        int first = int(floor(across - 0.5 * float(width - 1))) - origin.y, past = first + width;
+        const float place = clamp(across, -1e6, 1e6);
+        int first = wholeNumber(floor(place - 0.5 * float(width - 1))) - origin.y, past = first + width;
         if (kExactWidth) {
-            first = int(ceil(across - half_strip - 0.5)) - origin.y;
-            past = int(ceil(across + half_strip - 0.5)) - origin.y;
+            first = wholeNumber(ceil(place - half_strip - 0.5)) - origin.y;
+            past = wholeNumber(ceil(place + half_strip - 0.5)) - origin.y;
         }
-        for (int j = max(first, 0); j < min(past, size.y); ++j) {
-            const ivec2 at = columns ? ivec2(i - origin.x, j) : ivec2(j, i - origin.x);
-            mark(uint(at.y * view.width + at.x), depth, here, direction);
+        first = max(first, 0);
+        past = min(past, size.y);
+        if (depth <= view.far_depth && abs(across) < 1e6 && first < past) {
+            do {
+                const ivec2 at = columns ? ivec2(i - origin.x, first) : ivec2(first, i - origin.x);
+                mark(uint(at.y * view.width + at.x), depth, here, way, vec3(0.0));
+            } while (++first < past);
         }
-    }
+    } while (++i < end);
 }
 
 // \param p, along  from the fiblets' origin: an end, and the way to the other
@@ -111,7 +126,7 @@ void drawTube(vec3 p, vec3 along, uint who) {
             const vec3 direction = origin * view.inverse_distance + view.forward;  // its parameter is the depth
             vec3 normal;
             const float depth = capsuleHit(origin, direction, from, along, view.tube_radius, view.near_depth, normal);
-            if (depth <= view.far_depth) mark(uint(y * view.width + x), depth, who, packTube(along, normal));
+            if (depth <= view.far_depth) mark(uint(y * view.width + x), depth, who, along, normal);
         }
     }
 }
@@ -163,20 +178,53 @@ void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_
         eye_b = fibletEyePoint(view, b);
     }
     if (kTubes && tube) drawTube(a, b - a, who);
-    if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, packLine(way));
+    if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, way);
 }
 
-// Segment by segment, those that are shown.
+// Whether a line from a to b can have a pixel. \param a, b  places in the picture of points that are not before the near plane
+bool mayHavePixel(vec2 a, vec2 b) {
+    const vec2 along = abs(b - a);
+    const vec2 ends = along.x >= along.y ? vec2(a.x, b.x) : vec2(a.y, b.y);
+    // What drawLine() finds may be off by rounding.
+    return ceil(min(ends.x, ends.y) - 0.501) < ceil(max(ends.x, ends.y) - 0.499);
+}
+
+bool someInvocation(bool one) { return any(notEqual(subgroupBallot(one), uvec4(0u))); }
+
+// Segment by segment, those that are shown. Most are shorter than a pixel and have none, so those that have are held until an
+// invocation of the subgroup has found another, and then drawn together.
 void drawWalk(FibletLayerParams layer, inout FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
-    vec3 here = walk.pen.point;
-    vec4 eye_here = fibletEyePoint(view, here);
+    const bool all = kTubes || kCuts != 0u;
+    vec3 here = walk.pen.point, held_from, held_to;
+    vec4 eye = fibletEyePoint(view, here);
+    vec2 pixel_here = fibletPixel(view, eye);
+    float depth_here = eye.z;
+    uint held = FIBLET_NOBODY;
     for (uint segment = first; segment < end; ++segment) {
         stepWalk(layer, walk, segment);
-        const vec3 next = walk.pen.point;
-        const vec4 eye_next = fibletEyePoint(view, next);
-        if (!kSegments || (shown >> segment & 1ul) != 0ul) drawSegments(layer, here, next, eye_here, eye_next, fiblet << FIBLET_SEGMENT_BITS | segment, 1u, tube, line);
-        here = next;
-        eye_here = eye_next;
+        eye = fibletEyePoint(view, walk.pen.point);
+        const vec2 pixel = fibletPixel(view, eye);
+        bool draws = all || min(depth_here, eye.z) < view.near_depth || mayHavePixel(pixel_here, pixel);
+        if (kSegments) draws = draws && (shown >> segment & 1ul) != 0ul;
+        if (someInvocation(draws && held != FIBLET_NOBODY)) {
+            if (held != FIBLET_NOBODY) {
+                drawSegments(layer, held_from, held_to, fibletEyePoint(view, held_from), fibletEyePoint(view, held_to),
+                             fiblet << FIBLET_SEGMENT_BITS | held, 1u, tube, line);
+            }
+            held = FIBLET_NOBODY;
+        }
+        if (draws) {
+            held = segment;
+            held_from = here;
+            held_to = walk.pen.point;
+        }
+        here = walk.pen.point;
+        pixel_here = pixel;
+        depth_here = eye.z;
+    }
+    if (held != FIBLET_NOBODY) {
+        drawSegments(layer, held_from, held_to, fibletEyePoint(view, held_from), fibletEyePoint(view, held_to),
+                     fiblet << FIBLET_SEGMENT_BITS | held, 1u, tube, line);
     }
 }
 
@@ -185,16 +233,16 @@ void drawDetail(FibletLayerParams layer, inout FibletWalk walk, uint fiblet) {
     float worst = 0.0;
     for (uint first = 0u; first < walk.segments; first += kDetail) {
         const uint end = min(first + kDetail, walk.segments);
-        const FibletPen before = walk.pen;
+        const FibletWalk before = walk;
         for (uint segment = first; segment < end; ++segment) stepWalk(layer, walk, segment);
-        const vec3 a = before.point, b = walk.pen.point;
+        const vec3 a = before.pen.point, b = walk.pen.point;
         const vec4 eye_a = fibletEyePoint(view, a), eye_b = fibletEyePoint(view, b);
         const float error = fibletChordError(view, eye_a, eye_b, float(end - first) * layer.codec.step_mm, distance(a, b), 0.0);
         if (error <= layer.detail_px) {
             worst = max(worst, error);
             drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS | first, end - first, false, true);
         } else {
-            walk.pen = before;
+            walk = before;
             drawWalk(layer, walk, first, end, fiblet, false, true);
         }
     }
@@ -220,8 +268,9 @@ bool drawAsLine(FibletLayerParams layer, FibletWalk walk, uint fiblet) {
 }
 
 void main() {
-    if (globalInvocation() >= push.count) return;
+    // Before the return: what all invocations read alike is one read on a CPU driver where all are active, and one for each elsewhere.
     const FibletLayerParams layer = push.layer.layer;
+    if (globalInvocation() >= push.count) return;
     const uint at = push.first + globalInvocation();
     const uint fiblet = kListed ? UintBuffer(layer.list).at[at] : at;
     view = layer.view;

@@ -38,8 +38,7 @@ uint fibreOf(FibletLayerParams layer, uint fiblet) {
 }
 
 // \return  whether the pixel showed nothing before and now shows this layer
-bool resolve(FibletLayerParams layer, uint at) {
-    const uint64_t word = WordBuffer(layer.words).at[at];
+bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) {
     const uint who = uint(word);
     if (who == FIBLET_NOBODY) {
         if (kFirstLayer && !kMarksOnly) {
@@ -56,7 +55,6 @@ bool resolve(FibletLayerParams layer, uint at) {
     }
     if (kMarksOnly) return false;
     const bool empty_before = kFirstLayer || push.surface.at[at].who == FIBLET_NOBODY;
-    const uint64_t tangent = WordBuffer(layer.tangents).at[at];
     if (uint(tangent) != who) {
         UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.repaired, 1u)] = fiblet;
         return empty_before;
@@ -73,9 +71,10 @@ bool resolve(FibletLayerParams layer, uint at) {
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
-    const uint at = globalInvocation();
-    const bool inside = at < uint(layer.view.width * layer.view.height);
-    const bool hit = inside && resolve(layer, at);
+    const uint pixels = uint(layer.view.width * layer.view.height), at = min(globalInvocation(), pixels - 1u);
+    // Before all branches, where a CPU driver reads for a fraction of the time.
+    const uint64_t word = WordBuffer(layer.words).at[at], tangent = WordBuffer(layer.tangents).at[at];
+    const bool hit = globalInvocation() < pixels && resolve(layer, at, word, tangent);
     const uint hits = subgroupBallotBitCount(subgroupBallot(hit && kCounts));
     if (subgroupElect() && hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
 }

@@ -4,7 +4,7 @@
 #include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 5) const uint kFibreColours = 1u;
-layout(constant_id = 13) const uint kPagedLayers = 0u;  // bit of each layer of fibres that is not all on the device
+layout(constant_id = 15) const uint kPagedLayers = 0u;  // bit of each layer of fibres that is not all on the device
 
 layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer StateBuffer { uint at[]; };
@@ -60,19 +60,22 @@ FibletHead headOf(uint64_t heads, bool paged, uint fiblet) {
     return HeadBuffer(places.head.heads).at[fibletHeldAt(place, fiblet % FIBLET_PAGE)];
 }
 
-// \param place  of the hit, from the rays' reference point, mm \param layer  its number
+// \param layer  its number \param place  of the hit, from the rays' reference point, mm \param direction  in the surface buffer: of a line its tangent
 // \param pixel  number of the pixel. \param line  whether it is a line, not a tube. \param light  factor on its light
-vec3 fibreColour(LayerLook look, uint layer, uint who, vec3 place, uint pixel, out bool line, out float light) {
-    const uint fibre = headOf(look.instances, (kPagedLayers >> layer & 1u) != 0u, who >> FIBLET_SEGMENT_BITS).fibre;
-    uint state = FIBRE_SHOWN;
+vec3 fibreColour(LayerLook look, uint layer, uint who, vec3 place, vec3 direction, uint pixel, out bool line, out float light) {
+    const uint without = 1u << FIBRE_COLOUR_UNIFORM | 1u << FIBRE_COLOUR_DIRECTION | 1u << FIBRE_COLOUR_POINT | 1u << FIBRE_COLOUR_DISTANCE;
+    uint fibre = 0u, state = FIBRE_SHOWN;
+    if (look.states != 0ul || (kFibreColours & ~without) != 0u) {
+        fibre = headOf(look.instances, (kPagedLayers >> layer & 1u) != 0u, who >> FIBLET_SEGMENT_BITS).fibre;
+    }
     if (look.states != 0ul) state = StateBuffer(look.states).at[fibre >> 2u] >> (8u * (fibre & 3u)) & 0xffu;
     line = look.tubes == 0u || (look.tubes == 2u && state != FIBRE_SELECTED);
     light = state == FIBRE_SELECTED ? 1.0 : look.unselected;
     if (fibresBy(look, FIBRE_COLOUR_UNIFORM)) return look.uniform_colour;
     if (fibresBy(look, FIBRE_COLOUR_OWN)) return numberColour(fibre);
     if (fibresBy(look, FIBRE_COLOUR_DIRECTION)) {
-        const uint bits = DirectionBuffer(look.tangents).at[pixel].y;
-        return linearFromSrgb(abs(line ? lineTangent(bits) : tubeTangent(bits)));
+        if (!line) direction = tubeTangent(DirectionBuffer(look.tangents).at[pixel].y);
+        return linearFromSrgb(abs(direction));
     }
     if (fibresBy(look, FIBRE_COLOUR_ENDS)) return linearFromSrgb(abs(lineTangent(StateBuffer(look.values).at[fibre])));
     float value;

@@ -1,4 +1,5 @@
-// Deferred lighting of the surface buffer: one sample's light is added to the picture's sum. One invocation per pixel.
+// Deferred lighting of the surface buffer: one sample's light is added to the picture's sum, or is the picture where there is one
+// sample. One invocation per pixel.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/common/pixel_place.glsl"
@@ -18,6 +19,8 @@ layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfac
 layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
 layout(constant_id = 11) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
 layout(constant_id = 12) const bool kTail = false;  // and stands for all that are behind it, which were counted
+layout(constant_id = 13) const bool kPicture = false;   // the only sample: 8-bit sRGB is written at once, and no sum
+layout(constant_id = 14) const bool kOneLayer = false;  // of the scene
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
 layout(constant_id = 10) const uint kSurfaceLooks = 0u;   // what no isosurface has is not compiled
 #include "shaders/common/surface_shading.glsl"
@@ -26,6 +29,7 @@ layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame
 layout(buffer_reference, scalar) readonly buffer InstanceBuffer { GlyphInstance at[]; };
 layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer LightBuffer { vec3 at[]; };
+layout(buffer_reference, scalar) writeonly buffer PictureBuffer { uint rgba[]; };
 #include "shaders/frame/fibre_depth.glsl"
 
 layout(buffer_reference, scalar) readonly buffer MediumBuffer { Medium at[]; };
@@ -38,7 +42,7 @@ layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 layout(push_constant, scalar) uniform Push {
     FrameBuffer frame;
     SurfaceBuffer surface;
-    LightBuffer light;
+    LightBuffer light;  // not touched with kPicture
     LookBuffer looks;
     BitBuffer shadow_bits;     // blocked rays of each pixel; not read where the scene has no such rays
     BitBuffer occlusion_bits;
@@ -47,6 +51,7 @@ layout(push_constant, scalar) uniform Push {
     GlobalLightBuffer global_light;  // not read without kGlobalLight
     SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
     FibletLayerBuffer peel;          // not read without kPeel
+    PictureBuffer picture;           // not written without kPicture
 } push;
 
 bool isKind(LayerLook look, uint kind) { return (kLayerKinds & (1u << kind)) != 0u && look.kind == kind; }
@@ -72,24 +77,28 @@ vec3 surfaceRadiance(FrameParams frame, Surface surface, LayerLook look, PixelRa
 }
 
 void main() {
+    // What all invocations read alike is one read on a CPU driver where all are active, and one for each behind a branch; so it comes
+    // first, and the invocations past the last pixel go along.
     const FrameParams frame = push.frame.frame;
-    const uint at = globalInvocation();
-    if (at >= frame.width * frame.height) return;
+    const uint pixels = frame.width * frame.height, at = min(globalInvocation(), pixels - 1u);
+    LayerLook look;
+    if (kOneLayer) look = push.looks.at[0];
     const Surface surface = push.surface.at[at];
+    if (globalInvocation() >= pixels) return;
     if (kPeel && kFirstSample) push.veil.at[at] = vec4(0.0, 0.0, 0.0, 1.0);
     if (kPeel && surface.who == 0xffffffffu) return;
     vec3 radiance = frame.background;
     if (surface.who != 0xffffffffu) {
         const vec2 point = vec2(pixelPlace(at, frame.width)) + 0.5 + frame.jitter;
         const PixelRay ray = pixelRay(frame.rays, vec2(frame.width, frame.height), point);
-        const LayerLook look = push.looks.at[surface.layer_and_steps >> 24u];
+        if (!kOneLayer) look = push.looks.at[surface.layer_and_steps >> 24u];
         vec3 base = vec3(0.5);
         if (isKind(look, LAYER_GLYPHS)) base = glyphColour(frame, look, surface.who, ray, surface.depth);
         if (isKind(look, LAYER_SURFACE)) base = baseColour(look, surface.who, vec3(1.0));
         bool line = false;
         float dimmed = 1.0;
         if (isKind(look, LAYER_TRACTS)) {
-            base = fibreColour(look, surface.layer_and_steps >> 24u, surface.who, ray.origin + surface.depth * ray.direction, at, line, dimmed);
+            base = fibreColour(look, surface.layer_and_steps >> 24u, surface.who, ray.origin + surface.depth * ray.direction, surface.normal, at, line, dimmed);
         }
         vec3 lit = vec3(-1.0);
         if ((kGlobalLight || kSurfaceLooks != 0u) && isKind(look, LAYER_SURFACE)) {
@@ -130,5 +139,6 @@ void main() {
     }
     // Samples are averaged as they are shown, so bright highlights do not leave jagged edges.
     radiance = min(radiance, vec3(1.0));
-    push.light.at[at] = kFirstSample ? radiance : push.light.at[at] + radiance;
+    if (kPicture) push.picture.rgba[at] = packedColour(srgbFromLinear(radiance));
+    else push.light.at[at] = kFirstSample ? radiance : push.light.at[at] + radiance;
 }

@@ -75,7 +75,11 @@ vec3 candidate_centre;
 
 // Box first, glyph after. \return whether the box was entered before the nearest hit
 bool visitInstance(FrameParams frame, GlyphLayerParams layer, uint index) {
-    candidate = InstanceBuffer(layer.instances).at[index];
+#ifdef GLYPH_SHARED_READS
+    if (isShared(index)) candidate = sharedInstance(layer.instances, index);
+    else
+#endif
+        candidate = InstanceBuffer(layer.instances).at[index];
     candidate_centre = instanceCentre(frame.rays, candidate);
     const vec2 span = boxSpan(ray.origin - candidate_centre, ray_inverse, candidate.box_min, candidate.box_max);
     return span.x <= span.y && span.x < best_t && span.y >= ray.near;

@@ -36,11 +36,21 @@ layout(buffer_reference, scalar) buffer CounterBuffer { uint hit_pixels; uint ca
 float glyph_coefficients[SH_COUNT];
 uint loaded_slot = 0xffffffffu;
 
+#ifdef GLYPH_SHARED_READS
+#include "shaders/glyph/shared_reads.glsl"
+#endif
+
 // Reads are the dear part on CPU drivers, so what is there already is kept: the normal of the glyph that was tried last needs none.
 void loadCoefficients(uint64_t coefficients, uint stride, uint slot) {
     if (slot == loaded_slot) return;
     loaded_slot = slot;
     FloatBuffer source = FloatBuffer(coefficients + uint64_t(slot) * uint64_t(stride) * 4ul);
+#ifdef GLYPH_SHARED_READS
+    if (isShared(slot)) {
+        loadSharedCoefficients(source);
+        return;
+    }
+#endif
 #define SOURCE(i) source.at[i]
     SH_LOAD(SOURCE, kUsed, glyph_coefficients)
 }

@@ -6,6 +6,7 @@
 #ifdef TRAVERSE_RAY_QUERY
 #extension GL_EXT_ray_query : require
 #endif
+#define GLYPH_SHARED_READS
 #include "shaders/common/invocation.glsl"
 #include "shaders/glyph/layer.glsl"
 #include "shaders/common/glyph_normal.glsl"

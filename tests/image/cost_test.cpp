@@ -33,6 +33,7 @@ TEST_F(Cost, OfThePoleTableAndHierarchyIsNothingWhereTheyAreOff) {
     request.camera = cameraAround(image, {1, 2, 3}, true);
     request.quality.traversal = model::Traversal::kTiles;
     request.quality.pole_table = model::PoleTable::kOff;
+    request.quality.samples = 2;
     const std::uint64_t before = device.allocatedBytes();
     render::Target target;
     const model::Frame plain = renderer.render(target, request, 0, 1);
@@ -58,6 +59,28 @@ TEST_F(Cost, OfThePoleTableAndHierarchyIsNothingWhereTheyAreOff) {
     EXPECT_GE(device.allocatedBytes() - before, with_hierarchy + table_bytes);
     const model::Frame refined = renderer.render(target, request, 1, 1);
     EXPECT_EQ(passNames(refined), (std::vector<std::string>{"glyph trace", "light", "resolve"})) << "the table is made once";
+}
+
+/// One sample is the picture: no sum, and no pass that divides it.
+TEST_F(Cost, OfFurtherSamplesIsNothingWhereThereIsOne) {
+    const model::ShImage image = randomField({2, false}, {2, 2, 2}, 65, obliqueAffine());
+    store.add("field", image);
+    model::FrameRequest request = requestOf("field", 640, 480, 2);
+    request.camera = cameraAround(image, {1, 2, 3}, true);
+    renderer.renderAll(requestOf("field", 16, 16, 2));
+    const std::uint64_t before = device.allocatedBytes();
+    render::Target one;
+    const model::Frame frame = renderer.render(one, request, 0, 1);
+    EXPECT_EQ(passNames(frame), (std::vector<std::string>{"glyph trace", "light"}));
+    const std::uint64_t bytes = device.allocatedBytes() - before;
+    EXPECT_LT(bytes, 40U * 640 * 480) << "28 bytes a pixel, and tile lists";
+    EXPECT_THROW(renderer.render(one, request, 1, 1), Error);
+    request.quality.samples = 2;
+    render::Target two;
+    const model::Frame first = renderer.render(two, request, 0, 1);
+    EXPECT_EQ(passNames(first), (std::vector<std::string>{"glyph trace", "light", "resolve"}));
+    EXPECT_GE(device.allocatedBytes() - before - bytes, 40U * 640 * 480);
+    EXPECT_EQ(first.pixels.rgba, frame.pixels.rgba);
 }
 
 TEST_F(Cost, OfExactOutputsIsNothingWhereNoneIsWanted) {

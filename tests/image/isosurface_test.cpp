@@ -121,7 +121,7 @@ TEST_F(Isosurfaces, ShowTheReferencesHitsAndNormals) {
         EXPECT_LT(worst_normal, 1e-3);
         EXPECT_EQ(frame.info.hit_pixels, static_cast<std::uint64_t>(std::ranges::count_if(
                                              frame.pixels.depth, [](float depth) { return std::isfinite(depth); })));
-        EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace", "light", "resolve"}));
+        EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace", "light"}));
     }
 }
 
@@ -152,7 +152,7 @@ TEST_F(Isosurfaces, OfTrianglesLieNearTheSurface) {
     const model::Frame exact = draw(request);
     request.quality.isosurface.method = model::SurfaceMethod::kMarchingCubes;
     const model::Frame triangles = draw(request);
-    EXPECT_EQ(passNames(triangles), (std::vector<std::string>{"isosurface mesh", "isosurface surface", "light", "resolve"}));
+    EXPECT_EQ(passNames(triangles), (std::vector<std::string>{"isosurface mesh", "isosurface surface", "light"}));
     int hits = 0, other = 0, near = 0;
     double turned_by = 0;
     const auto at3 = [](const auto& v, std::size_t i) { return glm::dvec3(v[3 * i], v[3 * i + 1], v[3 * i + 2]); };
@@ -212,7 +212,7 @@ TEST_F(Isosurfaces, AndGlyphsHideEachOtherByDepthInAnyOrder) {
     }
     EXPECT_GT(glyph_pixels, 300);
     EXPECT_GT(surface_pixels, 300);
-    EXPECT_EQ(passNames(ab), (std::vector<std::string>{"glyph trace 0", "isosurface trace 1", "light", "resolve"}));
+    EXPECT_EQ(passNames(ab), (std::vector<std::string>{"glyph trace 0", "isosurface trace 1", "light"}));
 }
 
 TEST_F(Isosurfaces, ThatAreTransparentShowWhatIsInside) {
@@ -235,7 +235,7 @@ TEST_F(Isosurfaces, ThatAreTransparentShowWhatIsInside) {
     veil.surface() = {.dataset_id = "ball", .isovalue = 4.0F, .colour = {0, 1, 0}};
     veil.opacity = 0.25F;
     const model::Frame frame = draw(request);
-    EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace 0", "isosurface veil", "light", "resolve"}));
+    EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace 0", "isosurface veil", "light"}));
     const auto linear = [&frame](int x, int y, int c) {
         return reference::linearFromSrgb(frame.pixels.rgba[static_cast<std::size_t>(4 * (y * 33 + x) + c)] / 255.0);
     };
@@ -249,7 +249,7 @@ TEST_F(Isosurfaces, ThatAreTransparentShowWhatIsInside) {
     // Alone, over an empty buffer.
     request.scene.layers.erase(request.scene.layers.begin());
     const model::Frame alone = draw(request);
-    EXPECT_EQ(passNames(alone), (std::vector<std::string>{"clear", "isosurface veil", "light", "resolve"}));
+    EXPECT_EQ(passNames(alone), (std::vector<std::string>{"clear", "isosurface veil", "light"}));
     EXPECT_NEAR(reference::linearFromSrgb(alone.pixels.rgba[4 * (16 * 33 + 16) + 1] / 255.0), beside, 0.01);
     EXPECT_EQ(alone.info.hit_pixels, 0U);
 }
@@ -265,7 +265,7 @@ TEST_F(Isosurfaces, CastTheReferencesHardShadows) {
     const model::Frame open = draw(request);
     request.scene.light.shadow = model::Shadow::kHard;
     const model::Frame shadowed = draw(request);
-    EXPECT_EQ(passNames(shadowed), (std::vector<std::string>{"isosurface trace", "shadow", "light", "resolve"}));
+    EXPECT_EQ(passNames(shadowed), (std::vector<std::string>{"isosurface trace", "shadow", "light"}));
     int lit = 0, dark = 0, wrong = 0;
     const glm::dvec3 light = *request.scene.light.direction_world;
     for (std::size_t at = 0; at < open.pixels.depth.size(); ++at) {
@@ -288,7 +288,7 @@ TEST_F(Isosurfaces, CastTheReferencesHardShadows) {
     EXPECT_LE(wrong, 2);
     // A transparent surface casts none.
     request.scene.layers[0].opacity = 0.5F;
-    EXPECT_EQ(passNames(draw(request)), (std::vector<std::string>{"clear", "isosurface veil", "light", "resolve"}));
+    EXPECT_EQ(passNames(draw(request)), (std::vector<std::string>{"clear", "isosurface veil", "light"}));
 }
 
 TEST_F(Isosurfaces, OccludeAmbientLightInTheirFolds) {
@@ -300,7 +300,7 @@ TEST_F(Isosurfaces, OccludeAmbientLightInTheirFolds) {
     request.scene.light.ambient = 1;
     request.scene.light.ambient_occlusion = model::AmbientOcclusion{.rays = 32, .radius_mm = 12.0F};
     const model::Frame frame = draw(request);
-    EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace", "occlusion", "light", "resolve"}));
+    EXPECT_EQ(passNames(frame), (std::vector<std::string>{"isosurface trace", "occlusion", "light"}));
     // On a plane no ray is blocked; in the folds of the ball many are, and nowhere all.
     int open = 0, deep = 0, hits = 0;
     for (std::size_t at = 0; at < frame.pixels.depth.size(); ++at) {

@@ -53,7 +53,7 @@ protected:
 TEST_F(PixelPaths, AgreeWithTheReferencePixelByPixel) {
     const model::FrameRequest wanted = request();
     const model::Frame frame = draw(wanted);
-    EXPECT_THAT(passNames(frame), testing::ElementsAre("isosurface trace", "pixel paths", "light", "resolve"));
+    EXPECT_THAT(passNames(frame), testing::ElementsAre("isosurface trace", "pixel paths", "light"));
     const reference::ScalarField field(image);
     const glm::dmat4 to_grid = glm::inverse(image.voxel_to_world);
     const reference::Lights lights{[](const glm::dvec3& d) { return 0.5 + 0.3 * d.z; }, {}};

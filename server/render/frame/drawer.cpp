@@ -142,6 +142,7 @@ void Drawer::resolve(Target::Impl& target, const DrawList& list) {
     PassRun pass_run{device_, recorder_, pipelines_, target, list};
     for (const plan::PassPlan& pass : list.plan->passes) {
         if (pass.kind == plan::PassKind::kResolve) runResolve(pass_run, pass);
+        if (pass.kind == plan::PassKind::kFxaa) runFxaa(pass_run, pass);
     }
 }
 

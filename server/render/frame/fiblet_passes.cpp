@@ -54,7 +54,8 @@ public:
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.paged) {
                 drawPaged();
-            } else if (plan_.culling == model::FibletCulling::kNone) {
+            } else if (plan_.culling == model::FibletCulling::kNone || (plan_.culling == model::FibletCulling::kFrustum &&
+                                                                        plan::areInside(own_.layer().view, scene_.pages()))) {
                 drawAll();
             } else if (run_.list.frozen) {
                 step(1, 0, own_.orderPages(scene_));
@@ -195,7 +196,11 @@ private:
 
     /// \param first  nothing that was drawn before is looked at
     void begin(bool first) {
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, first ? 1U : 0U, counting_ ? 1U : 0U}),
+        if (first) {
+            run_.recorder.fill(own_.words, 0, 8 * run_.pixels(), 0xffffffffU);
+            return;
+        }
+        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, counting_ ? 1U : 0U}),
                                "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
                                LayerPush{own_.layerAddress(), run_.target.surface.address()});
     }

@@ -14,4 +14,7 @@ void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bo
 /// After the last sample.
 void runResolve(PassRun& run, const plan::PassPlan& pass);
 
+/// The same; smooths a picture of one sample, others are left alone.
+void runFxaa(PassRun& run, const plan::PassPlan& pass);
+
 }  // namespace radiata::render

@@ -245,7 +245,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     const auto begin = std::chrono::steady_clock::now();
     model::validate(request, impl_->limits);
     Target::Impl& buffers = *target.impl_;
-    if (count < 1 || first_sample < 0 || first_sample + count > impl_->limits.samples_max) {
+    const int most = request.quality.samples == 1 ? 1 : impl_->limits.samples_max;
+    if (count < 1 || first_sample < 0 || first_sample + count > most) {
         throw Error(Code::kInternal, "samples " + std::to_string(first_sample) + " to " + std::to_string(first_sample + count));
     }
     if (first_sample > 0 && (buffers.samples != first_sample || !(buffers.request == request))) {

@@ -31,7 +31,6 @@ void Target::Impl::prepare(gpu::Device& device, int new_width, int new_height, s
     for (gpu::Buffer* buffer : {&surface, &light, &picture, &surface_readback, &veil, &peel_surface, &fxaa_source})
         *buffer = gpu::Buffer();
     surface = gpu::Buffer(device, pixels * sizeof(shader::Surface), gpu::Memory::kDevice, "surface buffer");
-    light = gpu::Buffer(device, pixels * 12, gpu::Memory::kDevice, "light buffer");
     picture = gpu::Buffer(device, pixels * 4, gpu::Memory::kReadback, "picture");
     width = new_width;
     height = new_height;

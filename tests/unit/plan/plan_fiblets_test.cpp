@@ -77,5 +77,34 @@ TEST(PlanFiblets, CullNothingOfUncompressedPoints) {
     EXPECT_EQ(planOf(Pipeline::kMesh, everything()).resolved.quality.fiblet_culling, model::FibletCulling::kTwoPhase);
 }
 
+/// Two phases where there is much behind something or the picture is small; else what is in the picture, and the frame says so.
+TEST(PlanFiblets, LookForWhatIsHiddenWhereThatPays) {
+    using Culling = model::FibletCulling;
+    const auto plan = [](std::uint64_t fiblets, int height, Culling asked = Culling::kTwoPhase,
+                         Pipeline pipeline = Pipeline::kAuto, bool frozen = false) {
+        model::FrameRequest request;
+        request.width = 16 * height / 9;
+        request.height = height;
+        request.quality.fiblet_pipeline = pipeline;
+        request.quality.fiblet_culling = asked;
+        if (frozen) request.quality.frozen_culling = request.camera;
+        request.scene.layers.emplace_back().content = model::TractogramLayer{};
+        LayerFacts facts;
+        facts.fiblets = fiblets;
+        const FramePlan made = planFrame(request, {facts}, everything());
+        EXPECT_EQ(made.resolved.quality.fiblet_culling, made.fiblets[0]->culling);
+        return made.fiblets[0]->culling;
+    };
+    EXPECT_EQ(plan(150'000, 720), Culling::kFrustum);
+    EXPECT_EQ(plan(1'500'000, 720), Culling::kTwoPhase);
+    EXPECT_EQ(plan(1'500'000, 2160), Culling::kFrustum);
+    EXPECT_EQ(plan(100, 240), Culling::kTwoPhase) << "pyramids of small pictures cost nothing";
+    EXPECT_EQ(plan(150'000, 720, Culling::kNone), Culling::kNone);
+    EXPECT_EQ(plan(1'500'000, 720, Culling::kFrustum), Culling::kFrustum);
+    EXPECT_EQ(plan(150'000, 720, Culling::kCoverage), Culling::kCoverage);
+    EXPECT_EQ(plan(150'000, 720, Culling::kTwoPhase, Pipeline::kMesh), Culling::kTwoPhase) << "decoding costs more there";
+    EXPECT_EQ(plan(150'000, 720, Culling::kTwoPhase, Pipeline::kAuto, true), Culling::kTwoPhase);
+}
+
 }  // namespace
 }  // namespace radiata::plan
