@@ -87,7 +87,7 @@ void list(const Connection& connection, const Options& options) {
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
                         tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
                         scalar ? "" : glyphText(entry), tracts ? std::to_string(entry.fibres()) : "",
-                        scalar ? "" : residence(entry)});
+                        scalar && (!tracts || entry.gpu_bytes() == 0) ? "" : residence(entry)});
     }
     print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "fibres", "GPU memory"}, rows));
 }
@@ -107,6 +107,15 @@ std::string joined(const Names& names) {
     return text.empty() ? "none" : text;
 }
 
+/// Bytes on the device, and of how much of the tractogram they are.
+std::string tractResidence(const v1::Dataset& entry) {
+    if (entry.gpu_bytes() == 0) return residence(entry);
+    const std::string bytes = residence(entry) + " (" + std::to_string(entry.gpu_bytes()) + " bytes)";
+    if (entry.resident_pages() >= entry.fiblet_pages()) return bytes + ", all of it";
+    return bytes + ", " + std::to_string(entry.resident_pages()) + " of " + std::to_string(entry.fiblet_pages()) +
+           " pages and a subset";
+}
+
 std::string describeTracts(const v1::Dataset& entry) {
     std::vector<std::string> groups;
     for (const v1::FibreGroupSize& group : entry.fibre_groups()) {
@@ -121,6 +130,7 @@ std::string describeTracts(const v1::Dataset& entry) {
          {"groups", joined(groups)},
          {"columns per fibre", joined(entry.fibre_columns())},
          {"columns per vertex", joined(entry.vertex_columns())},
+         {"GPU memory", tractResidence(entry)},
          {"bounds minimum mm", pointText(entry.bounds_world().minimum())},
          {"bounds maximum mm", pointText(entry.bounds_world().maximum())}});
 }
@@ -206,6 +216,9 @@ void limits(const Connection& connection, const Options& options) {
         {"layers", std::to_string(response.layers_max())},
         {"open views", std::to_string(response.views_max())},
         {"unacknowledged frames", std::to_string(response.window_max())},
+        {"GPU memory of a tractogram", response.tract_memory_bytes() == 0
+                                           ? "as much as it takes"
+                                           : formatBytes(static_cast<double>(response.tract_memory_bytes()))},
         {"request", formatBytes(static_cast<double>(response.message_bytes_max()))},
     };
     print(formatTable({"limit", "value"}, rows));

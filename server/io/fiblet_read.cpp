@@ -11,6 +11,7 @@
 #include "io/fiblet_check.h"
 #include "io/fiblet_file.h"
 #include "io/fiblet_layout.h"
+#include "io/fiblet_page_file.h"
 
 namespace radiata::io {
 namespace {
@@ -117,10 +118,19 @@ public:
         set.codes.push_back(0);
         checkPages(set, words, checks);
         checkFiblets(set, words, name_);
+        set.file = pageFile(set.pages, std::move(checks), words);
         return set;
     }
 
 private:
+    const Section& sectionOf(std::uint32_t kind) const { return *std::ranges::find(sections_, kind, &Section::kind); }
+
+    std::shared_ptr<const model::FibletPageSource> pageFile(const std::vector<shader::FibletPage>& pages,
+                                                            std::vector<std::uint32_t> checks, std::uint64_t words) const {
+        return std::make_shared<const FibletPageFile>(source_.path(), pages, std::move(checks), sectionOf(kHeads).offset,
+                                                      sectionOf(kCodes).offset, words);
+    }
+
     [[noreturn]] void fail(const std::string& what) const { throw Error(Code::kCorrupt, name_ + ": " + what); }
 
     void read(std::span<std::byte> out) {

@@ -16,6 +16,12 @@ namespace radiata::model {
 /// bounds, environment maps their pixels as size and the range of their luminance; the rest is about glyphs.
 enum class DatasetKind { kShImage, kScalarVolume, kTractogram, kEnvironmentMap, kMesh };
 
+/// What a tractogram has on the device.
+struct FibreMemory {
+    std::uint64_t device_bytes = 0;
+    std::uint64_t pages = 0, resident_pages = 0;
+};
+
 struct FibreGroupSize {
     std::string name;
     std::uint64_t fibres = 0;
@@ -40,6 +46,7 @@ struct DatasetInfo {
     std::vector<std::string> fibre_columns, vertex_columns;  ///< names
     double error_mean_um = 0, error_max_um = 0;              ///< of drawn points against those of the file
     std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram; points of a mesh too
+    std::uint64_t fiblet_pages = 0, resident_pages = 0;      ///< of a tractogram that was drawn: all, and those on the device
     std::uint64_t triangles = 0;                             ///< of a mesh
     float value_min = 0, value_max = 0;                      ///< of a scalar volume's finite values
     glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs; points of fibres

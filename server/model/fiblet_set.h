@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,6 +35,16 @@ struct PointColumn {
     std::vector<std::uint8_t> values;  ///< 64 per fiblet; point i of fiblet f is at 64 f + i
 };
 
+/// Where pages of a set can be read again, while it is drawn. Thread-safe.
+class FibletPageSource {
+public:
+    virtual ~FibletPageSource() = default;
+    /// Pages that follow each other: all of their heads and all of their codes. \throws Error(kUnavailable, kCorrupt) naming
+    /// the page if they cannot be read, or are not those that were read at first
+    virtual void read(std::uint32_t first_page, std::uint32_t pages, std::span<FibletHead> heads,
+                      std::span<std::uint32_t> codes) const = 0;
+};
+
 struct FibletSet {
     shader::FibletCodec codec{};
     glm::dvec3 origin_mm{0};           ///< of the cells and boxes; world mm, RAS
@@ -47,12 +59,13 @@ struct FibletSet {
     std::vector<PointColumn> point_columns;
     std::vector<FibreGroup> groups;
 
-    std::uint64_t points = 0;  ///< that are decoded, each fibre's counted once
-    FibletErrors errors;       ///< of decoded points against the points that were encoded
-    bool walked = false;       ///< the steps varied, so points were set anew along the lines, a step apart
-    FibletErrors walk_errors;  ///< if walked: of the original points against the encoded lines
-    double bound_um = 0;       ///< that was asked for
-    std::string source;        ///< short name for messages
+    std::uint64_t points = 0;                      ///< that are decoded, each fibre's counted once
+    FibletErrors errors;                           ///< of decoded points against the points that were encoded
+    bool walked = false;                           ///< the steps varied, so points were set anew along the lines, a step apart
+    FibletErrors walk_errors;                      ///< if walked: of the original points against the encoded lines
+    double bound_um = 0;                           ///< that was asked for
+    std::string source;                            ///< short name for messages
+    std::shared_ptr<const FibletPageSource> file;  ///< none: the set has no file
 
     std::uint64_t fibres() const { return fibre_first.empty() ? 0 : fibre_first.size() - 1; }
 };

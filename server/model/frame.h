@@ -92,7 +92,12 @@ struct FrameInfo {
     std::uint64_t capped_rays = 0;
     std::uint64_t fiblets = 0;        ///< of all layers of fibres
     std::uint64_t fiblets_drawn = 0;  ///< of the latest sample
-    double fiblet_error_px = 0;       ///< bound on how far simplified lines are off; 0: there are none
+    /// Of tractograms that take more than the device memory for them, in the latest sample: pages of fiblets that can be seen,
+    /// those of them that are shown in full, and those that have no room beside the others; of the rest a subset of their
+    /// fibres is shown, while they come or instead.
+    std::uint64_t fiblet_pages_wanted = 0, fiblet_pages_resident = 0, fiblet_pages_left_out = 0;
+    std::uint64_t fiblet_bytes_read = 0;  ///< of pages that came to the device while the frame was drawn
+    double fiblet_error_px = 0;           ///< bound on how far simplified lines are off; 0: there are none
     double depth_offset_mm = 0;
     glm::dvec3 position_origin_mm{0};
     std::string device;

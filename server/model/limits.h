@@ -20,6 +20,7 @@ struct Limits {
     int views_max = 64;
     int window_max = 8;
     std::uint64_t message_bytes_max = 1 << 20;
+    std::uint64_t tract_memory_bytes = 0;  ///< device memory for the fiblets of one tractogram; 0: as much as it takes
 };
 
 /// Checks everything about a request that needs no dataset.

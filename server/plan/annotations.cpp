@@ -63,6 +63,13 @@ std::string subsetText(const model::Scene& scene, const SubsetFacts& facts) {
     return what + ": " + std::to_string(facts.glyphs) + " of " + std::to_string(facts.glyphs_available) + " glyphs shown";
 }
 
+/// Empty if all fibres of the picture are shown.
+std::string fibreSubsetText(const SubsetFacts& facts) {
+    if (facts.pages_shown >= facts.pages) return {};
+    return "subset of fibres in " + std::to_string(facts.pages - facts.pages_shown) + " of " + std::to_string(facts.pages) +
+           " pages";
+}
+
 Mark corner(std::string text, float x, float y, int line) {
     Mark mark;
     mark.text = std::move(text);
@@ -107,7 +114,7 @@ std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameSt
         corner(conventionText(request.scene.annotations.convention, axes.right), 0, 1, 0),
     };
     int line = 1;
-    for (std::string text : {lobesText(request.scene), subsetText(request.scene, facts)}) {
+    for (std::string text : {lobesText(request.scene), subsetText(request.scene, facts), fibreSubsetText(facts)}) {
         if (!text.empty()) marks.push_back(corner(std::move(text), 0, 0, line++));
     }
     return marks;

@@ -48,6 +48,7 @@ struct LayerFacts {
     double sun_depth = 0;                   ///< estimate: glyph boxes along a ray towards the light
     std::uint64_t fibres = 0, fiblets = 0;  ///< of a tractogram
     bool segments_filtered = false;         ///< single segments of them are left out
+    bool paged = false;                     ///< not all of its fiblets are on the device
     std::vector<LayerFacts> uncertainty;    ///< of the layer's second glyphs: one entry, or none
 };
 
@@ -117,6 +118,7 @@ struct FramePlan {
     /// And for which kinds of layers: bit 1 << index of model::Layer::content.
     std::uint32_t layer_kinds = 0;
     bool fibre_occlusion = false, fibre_halos = false;  ///< some layer has them
+    std::uint32_t paged_layers = 0;                     ///< bit of each layer of fibres that is not all on the device
     std::uint32_t fibre_colours = 0;                    ///< bit 1 << model::FibreColourMode for each that some layer has
     std::uint32_t surface_looks = 0;                    ///< shader::SURFACE_LOOKS_...: what some isosurface has of its own
     std::string traversal_reason;

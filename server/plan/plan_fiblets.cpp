@@ -66,6 +66,20 @@ model::FibletPipeline choosePipeline(model::FibletPipeline wanted, const Abiliti
     return wanted;
 }
 
+/// \throws Error(kUnsupported) for what needs all fiblets at once
+void checkPaged(const FibletPlan& fiblets, const model::Quality& quality, const std::string& where) {
+    const std::string what = fiblets.pipeline != model::FibletPipeline::kAtomic
+                                 ? "by the fiblet pipeline " + std::string(model::pipelineName(fiblets.pipeline))
+                             : fiblets.culling == model::FibletCulling::kNone     ? "without culling"
+                             : fiblets.culling == model::FibletCulling::kCoverage ? "with culling by coverage"
+                             : quality.frozen_culling                             ? "with frozen culling"
+                                                                                  : "";
+    if (what.empty()) return;
+    throw Error(Code::kUnsupported, where + " is to be drawn " + what +
+                                        ", which needs all of it on the device; it takes more than the server's memory for a "
+                                        "tractogram (--tract-memory)");
+}
+
 /// Segments per pixel from which it pays to look for fiblets that others hide, and the pixels up to which it costs next to
 /// nothing: below, and above, pyramids of depths take longer than what they spare. What is seen is the same. Measured on
 /// lavapipe (docs/architecture.md, "Fibres").
@@ -76,7 +90,7 @@ constexpr double kHidingPixels = 300'000;
 model::FibletCulling chooseCulling(const LayerFacts& facts, const model::FrameRequest& request) {
     const model::Quality& quality = request.quality;
     if (quality.fiblet_culling != model::FibletCulling::kTwoPhase || quality.frozen_culling ||
-        quality.fiblet_pipeline != model::FibletPipeline::kAtomic) {
+        quality.fiblet_pipeline != model::FibletPipeline::kAtomic || facts.paged) {
         return quality.fiblet_culling;
     }
     const double segments = static_cast<double>(facts.fiblets) * shader::FIBLET_SEGMENTS;
@@ -141,6 +155,11 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     // The others draw every segment.
     if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);
+    }
+    fiblets.paged = facts.paged;
+    if (fiblets.paged) {
+        plan.paged_layers |= 1U << index;
+        checkPaged(fiblets, quality, "scene.layers[" + std::to_string(index) + "].tractogram");
     }
     plan.fiblets[index] = fiblets;
     // What is transparent hides nothing of its own.

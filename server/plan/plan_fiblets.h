@@ -22,6 +22,7 @@ struct FibletPlan {
     bool dimmed = false;         ///< those that are not selected
     bool segments = false;       ///< single segments are left out
     bool exact_width = false;    ///< lines have their width across
+    bool paged = false;          ///< not all fiblets are on the device
     std::uint32_t cuts = 0;
     int line_width_px = 1;
     float tube_radius_mm = 0;

@@ -62,6 +62,10 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
     counters->set_fiblets(info.fiblets);
     counters->set_fiblets_drawn(info.fiblets_drawn);
     counters->set_fiblet_error_px(info.fiblet_error_px);
+    counters->set_fiblet_pages_wanted(info.fiblet_pages_wanted);
+    counters->set_fiblet_pages_resident(info.fiblet_pages_resident);
+    counters->set_fiblet_pages_left_out(info.fiblet_pages_left_out);
+    counters->set_fiblet_bytes_read(info.fiblet_bytes_read);
     message.set_device(info.device);
     if (info.illumination) *message.mutable_illumination() = toProto(*info.illumination);
 }
@@ -131,6 +135,8 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     message.set_amplitude_max(info.amplitude_max);
     message.set_amplitude_typical(info.amplitude_typical);
     message.set_gpu_bytes(info.gpu_bytes);
+    message.set_fiblet_pages(info.fiblet_pages);
+    message.set_resident_pages(info.resident_pages);
     *message.mutable_bounds_world()->mutable_minimum() = toProto(info.bounds_min);
     *message.mutable_bounds_world()->mutable_maximum() = toProto(info.bounds_max);
     return message;
@@ -151,6 +157,7 @@ v1::GetLimitsResponse toProto(const model::Limits& limits, const session::Backen
     message.set_views_max(static_cast<std::uint32_t>(limits.views_max));
     message.set_window_max(static_cast<std::uint32_t>(limits.window_max));
     message.set_message_bytes_max(limits.message_bytes_max);
+    message.set_tract_memory_bytes(limits.tract_memory_bytes);
     message.set_device(backend.device);
     for (const std::string& traversal : backend.traversals) message.add_traversals(traversal);
     message.set_version(RADIATA_VERSION);

@@ -8,12 +8,15 @@
 
 namespace radiata::store {
 
-model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set) {
+model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set, const model::FibreMemory& memory) {
     model::DatasetInfo info;
     info.id = id;
     info.kind = model::DatasetKind::kTractogram;
     info.fibres = set.fibres();
     info.points = set.points;
+    info.gpu_bytes = memory.device_bytes;
+    info.fiblet_pages = memory.pages;
+    info.resident_pages = memory.resident_pages;
     for (const model::FibreGroup& group : set.groups) info.fibre_groups.push_back({group.name, group.fibres.size()});
     for (const model::FibreColumn& column : set.fibre_columns) info.fibre_columns.push_back(column.name);
     for (const model::PointColumn& column : set.point_columns) {

@@ -10,7 +10,7 @@
 
 namespace radiata::store {
 
-model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set);
+model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set, const model::FibreMemory& memory = {});
 model::DatasetInfo meshInfo(const std::string& id, const model::TriangleMesh& mesh);
 /// What the header alone says, which may be wrong about counts.
 model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path);

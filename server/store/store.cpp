@@ -44,6 +44,7 @@ struct Store::Impl {
         std::shared_ptr<const VolumeDataset> volume;  ///< of the scalars, once an isosurface needed it
         std::shared_ptr<const model::FibletSet> fiblets;
         std::shared_ptr<FibreSelector> selector;  ///< once one was asked for
+        model::FibreMemory fibre_memory;          ///< under the table's mutex
         std::shared_ptr<const model::EnvironmentMap> environment;
         std::shared_ptr<const model::TriangleMesh> mesh;
 
@@ -71,6 +72,11 @@ struct Store::Impl {
                                              std::to_string(slots.size()) + " datasets");
         }
         return found->second;
+    }
+
+    model::FibreMemory memoryOf(const Slot& slot) {
+        std::lock_guard lock(mutex);
+        return slot.fibre_memory;
     }
 
     void insert(const std::string& id, std::shared_ptr<Slot> slot) {
@@ -273,6 +279,12 @@ std::filesystem::path Store::latticeFile(const std::string& id, const std::strin
     return latticePath(impl_->find(id)->path, impl_->lattice_folder, key);
 }
 
+void Store::setFibreMemory(const std::string& id, const model::FibreMemory& memory) {
+    const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
+    std::lock_guard lock(impl_->mutex);
+    slot->fibre_memory = memory;
+}
+
 void Store::note(const std::string& sentence) const {
     if (impl_->log) impl_->log(sentence);
 }
@@ -297,7 +309,7 @@ model::DatasetInfo Store::info(const std::string& id) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
-    if (slot->fiblets) return fibletInfo(id, *slot->fiblets);
+    if (slot->fiblets) return fibletInfo(id, *slot->fiblets, impl_->memoryOf(*slot));
     if (slot->environment) return environmentInfo(id, *slot->environment);
     if (slot->mesh) return meshInfo(id, *slot->mesh);
     return slot->dataset ? slot->dataset->info() : slot->scalars->info();
@@ -337,7 +349,7 @@ std::vector<model::DatasetInfo> Store::list() {
         } else if (lock && slot->scalars) {
             info = slot->scalars->info();
         } else if (lock && slot->fiblets) {
-            info = fibletInfo(id, *slot->fiblets);
+            info = fibletInfo(id, *slot->fiblets, impl_->memoryOf(*slot));
         } else if (lock && slot->environment) {
             info = environmentInfo(id, *slot->environment);
         } else if (isEnvironmentName(slot->path)) {

@@ -79,6 +79,15 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_option("--tract-cache", options.tract_cache,
                    "Folder that keeps tractograms once they are encoded; empty: none is kept")
         ->capture_default_str();
+    app.add_option_function<double>(
+           "--tract-memory",
+           [&options](double mebibytes) {
+               options.settings.limits.tract_memory_bytes =
+                   mebibytes > 0 ? static_cast<std::uint64_t>(mebibytes * (1 << 20)) : 0;
+           },
+           "MiB of device memory for the fiblets of one tractogram; of larger ones parts are read from disk as they are seen; "
+           "0: as much as it takes (default)")
+        ->check(CLI::Range(0.0, 16'777'216.0));
     app.add_option("--lattice-folder", options.lattice_folder,
                    "Folder that keeps illumination lattices that were asked for as a whole (default: beside their datasets)");
     app.add_option("--limits", texts.limits,

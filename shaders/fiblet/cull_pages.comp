@@ -5,7 +5,7 @@
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/visible.glsl"
 
-layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: with fiblets seen last; 2: not hidden
+layout(constant_id = 1) const uint kPhase = 0u;  // 0: in the frustum; 1: with fiblets seen last; 2, 3: not hidden
 layout(constant_id = 2) const float kMargin = 0.0;  // pixels beside a line
 layout(constant_id = 3) const bool kTubes = false;
 
@@ -28,6 +28,6 @@ void main() {
         if (seen_last == 0u) return;
     }
     const FibletPage box = PageBuffer(layer.pages).at[page];
-    if (!fibletVisible(layer, box.low, box.high, kMargin, kTubes ? layer.view.tube_radius : 0.0, kPhase == 2u)) return;
+    if (!fibletVisible(layer, box.low, box.high, kMargin, kTubes ? layer.view.tube_radius : 0.0, kPhase >= 2u)) return;
     push.found.at[atomicAdd(CountsBuffer(layer.counts).counts.pages, 1u)] = page;
 }

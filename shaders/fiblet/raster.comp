@@ -13,6 +13,7 @@
 #include "shaders/common/fibre_directions.glsl"
 #include "shaders/common/capsule.glsl"
 #include "shaders/common/fiblet_detail.glsl"
+#include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 1) const bool kListed = false;  // fiblets of the list; else all in their order
 layout(constant_id = 2) const uint kCuts = 0u;
@@ -27,6 +28,7 @@ layout(constant_id = 11) const bool kFinding = false;     // fibres in an outlin
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
 layout(constant_id = 12) const uint kDetail = 0u;        // segments that may become one line; 0: none do
 layout(constant_id = 13) const bool kSmallAsLines = false;  // fiblets of a few pixels are lines from end to end
+layout(constant_id = 14) const bool kPaged = false;  // some of the fiblets are on the device
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -276,7 +278,14 @@ void main() {
     tangents = WordBuffer(layer.tangents);
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
     if (kCounting) fragments = UintBuffer(layer.fragments);
-    FibletWalk walk = beginWalk(layer, fiblet);
+    FibletWalk walk;
+    if (kPaged) {
+        const FibletPlace place = PlaceBuffer(layer.places).at[fiblet / FIBLET_PAGE];
+        if (!fibletHeld(place, fiblet % FIBLET_PAGE)) return;
+        walk = beginWalkAt(layer, HeadBuffer(layer.heads).at[fibletHeldAt(place, fiblet % FIBLET_PAGE)], place.first_word);
+    } else {
+        walk = beginWalk(layer, fiblet);
+    }
     fibre = walk.fibre;
     if (kFinding) {
         inside = UintBuffer(layer.inside);
@@ -298,7 +307,8 @@ void main() {
     // What stands for many segments stands for all of them.
     const bool whole = !kSegments || (shown & (1ul << walk.segments) - 1ul) == (1ul << walk.segments) - 1ul;
     if ((kDetail != 0u || kSmallAsLines) && line && !tube && whole) {
-        if (drawAsLine(layer, walk, fiblet)) return;
+        // Where the fibre goes on need not be on the device.
+        if (!kPaged && drawAsLine(layer, walk, fiblet)) return;
         if (kDetail != 0u) {
             drawDetail(layer, walk, fiblet);
             return;

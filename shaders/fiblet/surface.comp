@@ -8,6 +8,7 @@
 #include "shaders/shared/frame.glsl"
 #include "shaders/fiblet/pixel_stretch.glsl"
 #include "shaders/common/fibre_directions.glsl"
+#include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 1) const bool kFirstLayer = true;
 layout(constant_id = 2) const bool kMarks = false;
@@ -15,6 +16,7 @@ layout(constant_id = 3) const bool kCounts = true;  // false: pixels are resolve
 layout(constant_id = 4) const bool kTubes = false;
 layout(constant_id = 5) const bool kSelectedOnly = false;  // of the tubes
 layout(constant_id = 6) const bool kMarksOnly = false;     // the surface buffer is left alone
+layout(constant_id = 7) const bool kPaged = false;         // some of the fiblets are on the device
 
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer FrameCountersBuffer { uint hit_pixels; };
@@ -23,6 +25,17 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     FrameCountersBuffer counters;
 } push;
+
+// Of a fiblet that was drawn. Only a pick draws more than stays, and does not look at what depends on the fibre.
+uint fibreOf(FibletLayerParams layer, uint fiblet) {
+    uint at = fiblet;
+    if (kPaged) {
+        const FibletPlace place = PlaceBuffer(layer.places).at[fiblet / FIBLET_PAGE];
+        if (!fibletHeld(place, fiblet % FIBLET_PAGE)) return 0u;
+        at = fibletHeldAt(place, fiblet % FIBLET_PAGE);
+    }
+    return HeadBuffer(layer.heads).at[at].fibre;
+}
 
 // \return  whether the pixel showed nothing before and now shows this layer
 bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) {
@@ -50,7 +63,7 @@ bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) 
     const float depth = depthOfOrder(uint(word >> 32)) * pixelStretch(layer.view, at);
     const uint bits = uint(tangent >> 32);
     bool tube = kTubes;
-    if (kTubes && kSelectedOnly) tube = fibreState(layer, HeadBuffer(layer.heads).at[fiblet].fibre) == FIBRE_SELECTED;
+    if (kTubes && kSelectedOnly) tube = fibreState(layer, fibreOf(layer, fiblet)) == FIBRE_SELECTED;
     const vec3 direction = tube ? tubeNormal(bits) : lineTangent(bits);
     push.surface.at[at] = Surface(depth, who, direction, layer.layer << 24u | steps);
     return empty_before;

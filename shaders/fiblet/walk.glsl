@@ -14,19 +14,24 @@ struct FibletWalk {
     FibletHead head;
 };
 
-FibletWalk beginWalk(FibletLayerParams layer, uint fiblet) {
+// \param first_word  what its codes are counted from
+FibletWalk beginWalkAt(FibletLayerParams layer, FibletHead head, uint first_word) {
     FibletWalk walk;
-    walk.head = HeadBuffer(layer.heads).at[fiblet];
+    walk.head = head;
     walk.pen = fibletBegin(walk.head, layer.codec);
     walk.fibre = walk.head.fibre;
     walk.segments = fibletSegments(walk.head);
     walk.width = fibletWidth(walk.head);
-    walk.word = fibletWord(walk.head, PageBuffer(layer.pages).at[fiblet / FIBLET_PAGE].first_word);
+    walk.word = fibletWord(walk.head, first_word);
     walk.ratio = layer.codec.cap_ratio[fibletCap(walk.head)];
     walk.last_length = fibletLength(walk.head, FibletCodes(layer.codes), walk.word, walk.segments, layer.codec.step_mm);
     walk.codes = uvec2(0u);
     if (walk.segments > 1u) walk.codes.y = FibletCodes(layer.codes).word[walk.word];
     return walk;
+}
+
+FibletWalk beginWalk(FibletLayerParams layer, uint fiblet) {
+    return beginWalkAt(layer, HeadBuffer(layer.heads).at[fiblet], PageBuffer(layer.pages).at[fiblet / FIBLET_PAGE].first_word);
 }
 
 // To the end of segment i, counted from 0; one after the other.

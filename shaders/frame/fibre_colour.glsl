@@ -1,8 +1,10 @@
 // Base colour of a fibre, linear RGB, before light. kFibreColours has a bit for each way that some layer of the scene uses.
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/common/fibre_directions.glsl"
+#include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 5) const uint kFibreColours = 1u;
+layout(constant_id = 15) const uint kPagedLayers = 0u;  // bit of each layer of fibres that is not all on the device
 
 layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer StateBuffer { uint at[]; };
@@ -48,12 +50,24 @@ float gridDistance(LayerLook look, vec3 place) {
     return sum;
 }
 
-// \param place  of the hit, from the rays' reference point, mm \param direction  in the surface buffer: of a line its tangent
+// Of a fiblet that was drawn. \param heads  FibletHead[], or the FibletPlaces of a layer that is not all on the device; of such
+// a layer a pick draws more than stays, and does not look at what depends on the fibre.
+FibletHead headOf(uint64_t heads, bool paged, uint fiblet) {
+    if (!paged) return HeadBuffer(heads).at[fiblet];
+    PlaceBuffer places = PlaceBuffer(heads);
+    const FibletPlace place = places.at[fiblet / FIBLET_PAGE];
+    if (!fibletHeld(place, fiblet % FIBLET_PAGE)) return FibletHead(0u, 0u, 0u, 0u, 0u);
+    return HeadBuffer(places.head.heads).at[fibletHeldAt(place, fiblet % FIBLET_PAGE)];
+}
+
+// \param layer  its number \param place  of the hit, from the rays' reference point, mm \param direction  in the surface buffer: of a line its tangent
 // \param pixel  number of the pixel. \param line  whether it is a line, not a tube. \param light  factor on its light
-vec3 fibreColour(LayerLook look, uint who, vec3 place, vec3 direction, uint pixel, out bool line, out float light) {
+vec3 fibreColour(LayerLook look, uint layer, uint who, vec3 place, vec3 direction, uint pixel, out bool line, out float light) {
     const uint without = 1u << FIBRE_COLOUR_UNIFORM | 1u << FIBRE_COLOUR_DIRECTION | 1u << FIBRE_COLOUR_POINT | 1u << FIBRE_COLOUR_DISTANCE;
     uint fibre = 0u, state = FIBRE_SHOWN;
-    if (look.states != 0ul || (kFibreColours & ~without) != 0u) fibre = HeadBuffer(look.instances).at[who >> FIBLET_SEGMENT_BITS].fibre;
+    if (look.states != 0ul || (kFibreColours & ~without) != 0u) {
+        fibre = headOf(look.instances, (kPagedLayers >> layer & 1u) != 0u, who >> FIBLET_SEGMENT_BITS).fibre;
+    }
     if (look.states != 0ul) state = StateBuffer(look.states).at[fibre >> 2u] >> (8u * (fibre & 3u)) & 0xffu;
     line = look.tubes == 0u || (look.tubes == 2u && state != FIBRE_SELECTED);
     light = state == FIBRE_SELECTED ? 1.0 : look.unselected;

@@ -8,7 +8,9 @@ layout(buffer_reference, scalar) buffer PeelCountsBuffer { FibletCounts counts; 
 // Whether the segment goes on the one composed before it: where segments meet, or tubes of a fibre overlap, one surface is seen, not two.
 bool sameStretch(FibletLayerParams layer, uint at, uint who, bool line) {
     const uint before = uint(PeelWordBuffer(layer.peeled).at[at]);
-    const FibletHead a = HeadBuffer(layer.heads).at[before >> FIBLET_SEGMENT_BITS], b = HeadBuffer(layer.heads).at[who >> FIBLET_SEGMENT_BITS];
+    const bool paged = (kPagedLayers >> layer.layer & 1u) != 0u;
+    const uint64_t heads = paged ? layer.places : layer.heads;
+    const FibletHead a = headOf(heads, paged, before >> FIBLET_SEGMENT_BITS), b = headOf(heads, paged, who >> FIBLET_SEGMENT_BITS);
     const uint mask = (1u << FIBLET_SEGMENT_BITS) - 1u;
     const int way = int(FIBLET_SEGMENTS) * (int(a.shape >> 20u) - int(b.shape >> 20u)) + int(before & mask) - int(who & mask);
     const int reach = line ? 2 : 2 + int(ceil(2.0 * layer.view.tube_radius / layer.codec.step_mm));

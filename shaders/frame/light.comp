@@ -98,7 +98,7 @@ void main() {
         bool line = false;
         float dimmed = 1.0;
         if (isKind(look, LAYER_TRACTS)) {
-            base = fibreColour(look, surface.who, ray.origin + surface.depth * ray.direction, surface.normal, at, line, dimmed);
+            base = fibreColour(look, surface.layer_and_steps >> 24u, surface.who, ray.origin + surface.depth * ray.direction, surface.normal, at, line, dimmed);
         }
         vec3 lit = vec3(-1.0);
         if ((kGlobalLight || kSurfaceLooks != 0u) && isKind(look, LAYER_SURFACE)) {

@@ -82,8 +82,25 @@ struct FibletLayerParams {
     uint64_t next;    // uint[fiblets]: that goes on along the fibre, or FIBLET_NOBODY; 0: nobody looks at it
     float detail_px;  // pixels that lines may be off
     float end_slack;  // mm that a fiblet's end may be from the start of the next
+    uint64_t places;  // FibletPlaces of a tractogram beyond the memory budget; 0: all of it lies in its own order
 };
-STATIC_SIZE(FibletLayerParams, 448);
+STATIC_SIZE(FibletLayerParams, 456);
+
+// Where the fiblets of a page lie that are in device memory, of a tractogram beyond the memory budget: all, or those of the subset.
+struct FibletPlace {
+    uint first_head;  // of heads and boxes
+    uint first_word;  // what the heads' codes are counted from
+    uint held_low;    // bit i: fiblet i of the page is there, behind those of lower bits
+    uint held_high;   // and fiblet 32 + i
+};
+STATIC_SIZE(FibletPlace, 16);
+
+// Stands before the FibletPlace of each page.
+struct FibletPlaces {
+    uint64_t heads;  // FibletHead[]
+    uint64_t pad;
+};
+STATIC_SIZE(FibletPlaces, 16);
 
 // A decoded fiblet on its way to the rasteriser.
 struct FibletSlot {

@@ -50,7 +50,7 @@ constexpr uint FIBRE_COLOUR_ENDS = 8;
 #endif
 
 struct LayerLook {
-    uint64_t instances;  // GlyphInstance[], or of fibres FibletHead[]
+    uint64_t instances;  // GlyphInstance[], or of fibres FibletHead[], or FibletPlaces where not all are on the device
     float opacity;
     uint colour;         // COLOUR_DIRECTION, ...
     uint64_t map;        // vec3[256], linear RGB, or 0

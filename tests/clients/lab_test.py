@@ -17,7 +17,7 @@ EXPERIMENTS = ["glyph-frame", "march-vs-polynomial", "glyph-pareto", "peters-bou
                "isosurface-hits", "wyman-fig5", "wyman-table2", "wyman-fig6", "wyman-fig7", "wyman-fig9", "wyman-fig12", "wyman-table1", "wyman-fig4", "wyman-fig10", "wyman-fig11",
                "illumination-sampling", "illumination-first", "illumination-memory", "illumination-pareto", "fiblet-codec",
                "schertzer-table1", "schertzer-fig9", "fiblet-pipelines", "schertzer-table2", "schertzer-table3", "schertzer-fig8",
-               "fiblet-scaling"]
+               "fiblet-scaling", "fiblet-streaming"]
 
 
 def lab(*arguments):

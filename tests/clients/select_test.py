@@ -42,6 +42,22 @@ class SelectTest(unittest.TestCase):
         self.assertIn("columns per vertex", self.radiata("info", "bundles").stdout)
         self.assertEqual(len(list((self.folder / "cache").glob("bundles.trx-*.fiblet"))), 1)
 
+    def test_memory_for_tractograms_is_a_setting(self):
+        server = ServerProcess([BIN / "radiata-server", "--listen", "127.0.0.1:0", "--data", self.folder / "data", "--tract-cache",
+                                self.folder / "cache", "--tract-memory", 0.04])
+        try:
+            limits = json.loads(run("radiata", "limits", "--json", server=server.address).stdout)
+            run("radiata", "render", "--tracts", "bundles", "--size", "64x48", "--samples", 2, "-o", self.folder / "some.png",
+                server=server.address)
+            entry = json.loads(run("radiata", "info", "bundles", "--json", server=server.address).stdout)
+            text = run("radiata", "info", "bundles", server=server.address).stdout
+        finally:
+            server.stop()
+        self.assertEqual(limits["tract_memory_bytes"], 41943)
+        self.assertLessEqual(entry["gpu_bytes"], 41943)
+        self.assertTrue(0 < entry["resident_pages"] < entry["fiblet_pages"])
+        self.assertRegex(text, r"GPU memory .*\d+ of \d+ pages and a subset")
+
     def test_regions_and_filters_are_joined(self):
         self.assertEqual(self.count("everything"), 400)
         left, right = self.count("all plane(0, 0, 0, 1, 0, 0)"), self.count("all plane(0, 0, 0, -1, 0, 0)")

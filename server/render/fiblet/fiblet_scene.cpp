@@ -24,17 +24,22 @@ gpu::Buffer uploaded(gpu::Device& device, const std::vector<T>& values, const ch
 
 }  // namespace
 
-FibletScene::FibletScene(gpu::Device& device, std::shared_ptr<const model::FibletSet> set) : set_(std::move(set)) {
+FibletScene::FibletScene(gpu::Device& device, std::shared_ptr<const model::FibletSet> set, std::uint64_t budget_bytes)
+    : set_(std::move(set)) {
     static std::atomic<std::uint64_t> next_serial{1};
     serial_ = next_serial++;
     if (set_->heads.size() > kFibletsMax) {
         throw Error(Code::kUnsupported, set_->source + " has " + std::to_string(set_->heads.size()) + " fiblets; at most " +
                                             std::to_string(kFibletsMax) + " can be drawn in one layer, so split it");
     }
-    heads_ = uploaded(device, set_->heads, "fiblet heads");
-    codes_ = uploaded(device, set_->codes, "fiblet codes");
     pages_ = uploaded(device, set_->pages, "fiblet pages");
-    boxes_ = uploaded(device, set_->boxes, "fiblet boxes");
+    if (budget_bytes > 0 && FibletResidency::wholeBytes(*set_) > budget_bytes) {
+        residency_ = std::make_unique<FibletResidency>(device, set_, budget_bytes);
+    } else {
+        heads_ = uploaded(device, set_->heads, "fiblet heads");
+        codes_ = uploaded(device, set_->codes, "fiblet codes");
+        boxes_ = uploaded(device, set_->boxes, "fiblet boxes");
+    }
     bounds_ = {set_->origin_mm, set_->origin_mm};
     if (set_->pages.empty()) return;
     glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;
@@ -47,6 +52,7 @@ FibletScene::FibletScene(gpu::Device& device, std::shared_ptr<const model::Fible
 }
 
 std::uint64_t FibletScene::deviceBytes() const {
+    if (residency_) return residency_->deviceBytes() + pages_.sizeBytes();
     return heads_.sizeBytes() + codes_.sizeBytes() + pages_.sizeBytes() + boxes_.sizeBytes();
 }
 

@@ -23,7 +23,23 @@ glm::vec2 jitterOf(int sample) {
     return {static_cast<float>(x - std::floor(x) - 0.5), static_cast<float>(y - std::floor(y) - 0.5)};
 }
 
+/// Pages of earlier pictures may give way. \return  a number that is another once others drew from the same scenes
+std::uint64_t beginPages(const DrawList& list) {
+    for (const DrawnLayer& layer : list.layers) {
+        if (layer.tracts && layer.tracts->residency()) layer.tracts->residency()->begin();
+    }
+    return pagesSerial(list);
+}
+
 }  // namespace
+
+std::uint64_t pagesSerial(const DrawList& list) {
+    std::uint64_t sum = 0;
+    for (const DrawnLayer& layer : list.layers) {
+        if (layer.tracts && layer.tracts->residency()) sum += layer.tracts->residency()->serial();
+    }
+    return sum;
+}
 
 Drawer::Drawer(gpu::Device& device) : device_(device), recorder_(device), pipelines_(device), colour_tables_(device) {}
 
@@ -91,6 +107,8 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         }
         target.frame().jitter = jitterOf(sample) + list.pixel_offset;
         target.frame().sample_index = static_cast<std::uint32_t>(sample);
+        target.pages_missing = false;
+        target.pages_serial = beginPages(list);
         PassRun pass_run{device_, recorder_, pipelines_, target, list, sample, cancel};
         prepareRaster(pass_run);
         for (const plan::PassPlan& pass : list.plan->passes) run(pass_run, pass);

@@ -14,6 +14,10 @@
 
 namespace radiata::render {
 
+/// Of the scenes of fibres that are not all on the device: rises with each sample that is drawn from one of them, whose pages
+/// may take the place of those that the picture in a target was drawn from. 0 without such scenes.
+std::uint64_t pagesSerial(const DrawList& list);
+
 class Drawer {
 public:
     explicit Drawer(gpu::Device& device);

@@ -45,7 +45,8 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     ensureBytes(device, params, kCountsOffset + sizeof(shader::FibletCounts), gpu::Memory::kUpload, "fiblet parameters");
     ensureBytes(device, words, 8 * pixels, gpu::Memory::kDevice, "fiblet words");
     ensureBytes(device, tangents, 8 * pixels, gpu::Memory::kDevice, "fiblet tangents");
-    ensureBytes(device, list, 4 * std::max(culled ? fiblets : 0, pixels), gpu::Memory::kDevice, "fiblet list");
+    const std::uint64_t listed = scene.residency() ? scene.residency()->fibletsMax() : fiblets;
+    ensureBytes(device, list, 4 * std::max(culled ? listed : 0, pixels), gpu::Memory::kDevice, "fiblet list");
     if (scene_serial != scene.serial()) knows_visible = false;
     scene_serial = scene.serial();
     if (!ends) next = gpu::Buffer();
@@ -56,10 +57,16 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
         next_serial_ = scene.serial();
     }
     if (!culled) return;
-    ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
     ensureBytes(device, page_order, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kUpload,
                 "fiblet page order");
-    ensureBytes(device, found_pages, 4 * std::max<std::uint64_t>(scene.pages().size(), 1), gpu::Memory::kDevice, "found pages");
+    const std::uint64_t page_bytes = 4 * std::max<std::uint64_t>(scene.pages().size(), 1);
+    if (scene.residency()) {
+        ensureBytes(device, found_page_numbers, page_bytes, gpu::Memory::kReadback, "found pages, read back");
+        ensureBytes(device, shown_pages, page_bytes, gpu::Memory::kUpload, "shown pages");
+    } else {
+        ensureBytes(device, visible, 4 * ((fiblets + 31) / 32), gpu::Memory::kDevice, "visible fiblets");
+        ensureBytes(device, found_pages, page_bytes, gpu::Memory::kDevice, "found pages");
+    }
     if (size != size_) {
         std::uint32_t pyramid_words = 0;
         level_offsets = levelOffsets(size, pyramid_words);
@@ -95,6 +102,7 @@ void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& vie
     if (page_order) layer.page_order = page_order.address();
     if (pyramid) layer.pyramid = pyramid.address();
     if (next) layer.next = next.address();
+    layer.places = scene.placeAddress();
     layer.counts = params.address() + kCountsOffset;
     layer.fiblet_count = static_cast<std::uint32_t>(scene.fibletCount());
     layer.page_count = static_cast<std::uint32_t>(scene.pages().size());
@@ -103,7 +111,7 @@ void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& vie
     counts() = {};
 }
 
-std::uint32_t FibletBuffers::orderPages(const FibletScene& scene) const {
+std::uint32_t FibletBuffers::orderPages(const FibletScene& scene) {
     const std::vector<shader::FibletPage>& boxes = scene.pages();
     const glm::vec3 forward = layer().view.forward;
     std::vector<std::pair<float, std::uint32_t>> order(boxes.size());
@@ -113,6 +121,7 @@ std::uint32_t FibletBuffers::orderPages(const FibletScene& scene) const {
     }
     std::ranges::sort(order);
     std::ranges::copy(std::views::values(order), page_order.as<std::uint32_t>().begin());
+    if (scene.residency()) near_first.assign(std::views::values(order).begin(), std::views::values(order).end());
     return static_cast<std::uint32_t>(order.size());
 }
 

@@ -24,6 +24,8 @@ struct FibletBuffers {
     gpu::Buffer list;                          ///< uint[max(fiblets, pixels)]
     gpu::Buffer page_order;                    ///< uint[pages]
     gpu::Buffer found_pages;                   ///< uint[pages]: in which fiblets can be seen
+    gpu::Buffer found_page_numbers;            ///< the same, read back, for a scene that is not all on the device
+    gpu::Buffer shown_pages;                   ///< uint[pages]: what is drawn of them
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
@@ -32,6 +34,10 @@ struct FibletBuffers {
     bool knows_visible = false;
     std::unique_ptr<FibletCoverage> coverage;  ///< only for that scheme of culling
     std::uint64_t drawn = 0;                   ///< fiblets of the latest sample
+    /// Of the latest sample, for a scene that is not all on the device: pages that can be seen, those of them that have no
+    /// room, and those that are still to come.
+    std::uint64_t pages_wanted = 0, pages_left_out = 0, pages_missing = 0;
+    std::vector<std::uint32_t> near_first;  ///< page_order, for such a scene
 
     static constexpr std::uint64_t kCountsOffset = 512;
     shader::FibletLayerParams& layer() const { return *reinterpret_cast<shader::FibletLayerParams*>(params.mapped().data()); }
@@ -49,7 +55,7 @@ struct FibletBuffers {
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);
     /// Pages nearest first by the layer's view, into page_order. \return  how many
-    std::uint32_t orderPages(const FibletScene& scene) const;
+    std::uint32_t orderPages(const FibletScene& scene);
 
 private:
     glm::ivec2 size_{0};

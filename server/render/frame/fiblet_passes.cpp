@@ -1,48 +1,27 @@
 #include "render/frame/fiblet_passes.h"
 
 #include <algorithm>
-#include <array>
-#include <bit>
 #include <chrono>
 #include <cmath>
 
 #include "plan/fiblet_view.h"
 #include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_coverage.h"
+#include "render/frame/fiblet_cull.h"
 #include "render/frame/light_passes.h"
 
 namespace radiata::render {
 namespace {
 
-/// Shares of the pages, nearest first, before each of which the second phase looks at the depths anew: what is in front must be
-/// drawn before it can hide anything. Those seen last do not spare that: the camera moves, and through the gaps that it finds
-/// between them all pages would be seen.
-constexpr std::array<double, 9> kParts{1.0 / 32, 1.0 / 16, 1.0 / 8, 3.0 / 16, 1.0 / 4, 3.0 / 8, 1.0 / 2, 3.0 / 4, 1.0};
-/// A new pyramid takes about as long as drawing a page for so many pixels.
-constexpr std::uint64_t kPixelsPerPage = 4096;
 /// Segments per pixel of a transparent layer that a moving picture composes.
 constexpr int kMovingPeels = 4;
-/// Workgroups of one dispatch; every device takes 65,535.
-constexpr std::uint32_t kPagesAtOnce = 16'384;
 
 struct LayerPush {
     std::uint64_t layer, surface;
 };
-struct CullPagesPush {
-    std::uint64_t layer, found;
-    std::uint32_t first_page, page_count;
-};
-struct CullPush {
-    std::uint64_t layer, pages;
-};
 struct RasterPush {
     std::uint64_t layer;
     std::uint32_t first, count;
-};
-struct PyramidPush {
-    std::uint64_t layer;
-    std::uint32_t source, target;
-    glm::ivec2 source_size;
 };
 struct SurfacePush {
     std::uint64_t layer, surface, counters;
@@ -60,7 +39,8 @@ public:
           own_(*run.target.fiblets[index_]),
           first_(pass.first),
           suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : ""),
-          lines_(run, index_, own_, pace, suffix_) {}
+          lines_(run, index_, own_, pace, suffix_),
+          cull_(run, plan_, scene_, own_, suffix_) {}
 
     void draw() {
         if (run_.list.frozen) freeze();
@@ -72,8 +52,10 @@ public:
             lines_.begin();
         }
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
-            if (plan_.culling == model::FibletCulling::kNone ||
-                (plan_.culling == model::FibletCulling::kFrustum && plan::areInside(own_.layer().view, scene_.pages()))) {
+            if (plan_.paged) {
+                drawPaged();
+            } else if (plan_.culling == model::FibletCulling::kNone || (plan_.culling == model::FibletCulling::kFrustum &&
+                                                                        plan::areInside(own_.layer().view, scene_.pages()))) {
                 drawAll();
             } else if (run_.list.frozen) {
                 step(1, 0, own_.orderPages(scene_));
@@ -128,28 +110,31 @@ private:
 
     /// The nearest segments that are not composed yet.
     void drawPeel() {
-        if (plan_.culling == model::FibletCulling::kNone) {
+        if (plan_.paged) {
+            drawPaged();
+        } else if (plan_.culling == model::FibletCulling::kNone) {
             raster(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
         } else {
-            cull(0, 0, own_.orderPages(scene_));
+            cull_.cull(0, 0, own_.orderPages(scene_));
             raster(true, 0, own_.counts().listed);
         }
-        own_.drawn = own_.counts().listed;
+        if (!plan_.paged) own_.drawn = own_.counts().listed;
     }
 
     void toPeelSurface() {
         const auto resolve = [&] {
-            run_.recorder.dispatch(run_.pipelines.get("fiblet_surface", {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
-                                                                         plan_.selected_only ? 1U : 0U, 0U}),
-                                   "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
-                                   SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
+            run_.recorder.dispatch(
+                run_.pipelines.get("fiblet_surface", withPaged(plan_, {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
+                                                                       plan_.selected_only ? 1U : 0U, 0U})),
+                "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
             submit(0);
         };
         resolve();
         while (own_.counts().repaired > 0) {
             const std::uint32_t repaired = own_.counts().repaired;
             own_.counts().repaired = 0;
-            raster(true, 0, repaired);
+            redraw(repaired);
             resolve();
         }
     }
@@ -190,7 +175,7 @@ private:
                                                    reference_mm - origin, scene_.reachMm());
         view.line_width = static_cast<float>(plan_.line_width_px);
         view.tube_radius = plan_.tube_radius_mm;
-        const bool ends = plan_.detail_px > 0 || coverage();
+        const bool ends = (plan_.detail_px > 0 || coverage()) && !plan_.paged;
         // Lines to the start of the next fiblet leave the box of what is decoded by the codec's error.
         const double end_slack = ends ? 2e-3 * scene_.set().errors.max_um : 0;
         view.rounding += static_cast<float>(end_slack);
@@ -205,7 +190,7 @@ private:
         own_.layer().end_slack = static_cast<float>(end_slack);
         own_.layer().detail_px = plan_.detail_px;
         detail_ = detailSegments(view);
-        own_.drawn = 0;
+        own_.drawn = own_.pages_wanted = own_.pages_left_out = own_.pages_missing = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
     }
 
@@ -231,10 +216,11 @@ private:
     /// By raster.comp: what is drawn by no other pipeline.
     void raster(bool listed, std::uint32_t first, std::uint32_t end) {
         const gpu::ComputePipeline& pipeline = run_.pipelines.get(
-            "fiblet_raster", {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
+            "fiblet_raster",
+            withPaged(plan_, {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
                               plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
                               plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
-                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U});
+                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U}));
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -243,39 +229,6 @@ private:
                                    RasterPush{own_.layerAddress(), first, count});
             submit(count);
             first += count;
-        }
-    }
-
-    void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
-        // A line of w pixels reaches (w - 1) / 2 beside its middle; one of w across w / 2 times the root of 2, less half a
-        // pixel.
-        const auto width = static_cast<float>(plan_.line_width_px);
-        const auto margin = std::bit_cast<std::uint32_t>(plan_.exact_width ? 0.7072F * width : 0.5F * (width - 1));
-        const std::uint32_t tubes = plan_.tubes ? 1 : 0;
-        own_.counts().pages = 0;
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_cull_pages", {PassRun::kGroup, phase, margin, tubes}),
-                               "fiblet cull" + suffix_, PassRun::groups(end - first), 1, 1,
-                               CullPagesPush{own_.layerAddress(), own_.found_pages.address(), first, end - first});
-        submit(0);
-        const gpu::ComputePipeline& pipeline =
-            run_.pipelines.get("fiblet_cull", {FibletScene::kPageFiblets, phase, margin, tubes, plan_.segments ? 1U : 0U});
-        for (std::uint32_t page = 0, pages = own_.counts().pages; page < pages; page += std::min(pages - page, kPagesAtOnce)) {
-            run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, std::min(pages - page, kPagesAtOnce), 1, 1,
-                                   CullPush{own_.layerAddress(), own_.found_pages.address() + std::uint64_t{4} * page});
-        }
-        submit(0);
-    }
-
-    void pyramid() {
-        glm::ivec2 size(run_.target.width, run_.target.height);
-        for (std::size_t level = 0; level < own_.level_offsets.size(); ++level) {
-            const std::uint32_t source = level == 0 ? 0 : own_.level_offsets[level - 1];
-            const glm::ivec2 half = (size + 1) / 2;
-            run_.recorder.dispatch(run_.pipelines.get("fiblet_pyramid", {PassRun::kGroup, level == 0 ? 1U : 0U}),
-                                   "fiblet pyramid" + suffix_,
-                                   PassRun::groups(static_cast<std::uint64_t>(half.x) * static_cast<std::uint64_t>(half.y)), 1,
-                                   1, PyramidPush{own_.layerAddress(), source, own_.level_offsets[level], size});
-            size = half;
         }
     }
 
@@ -298,14 +251,46 @@ private:
         } else {
             run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         }
-        std::uint32_t first = 0;
-        for (const double part : kParts) {
-            const auto end = static_cast<std::uint32_t>(std::ceil(part * pages));
-            if (part < 1 && end - first <= run_.pixels() / kPixelsPerPage) continue;
+        cull_.inParts(pages, [this](std::uint32_t first, std::uint32_t end) { step(2, first, end); });
+    }
+
+    /// Of a scene that is not all on the device. What is seen of a page depends on the subset and on nearer pages alone, so a
+    /// picture for which all pages came that have room does not depend on what was drawn before.
+    void drawPaged() {
+        const std::uint32_t pages = own_.orderPages(scene_);
+        own_.drawn = own_.pages_wanted = own_.pages_left_out = 0;
+        if (run_.list.all_pages) return drawAllPages();
+        std::vector<std::uint32_t> missing;
+        const auto draw = [&](std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
+            cull_.cullPaged(phase, first, end, missing);
+            drawListed(true);
+        };
+        if (twoPhases()) {
+            cull_.inParts(pages, [&](std::uint32_t first, std::uint32_t end) { draw(3, first, end); });
+        } else {
+            draw(0, 0, pages);
+        }
+        scene_.residency()->want(run_.recorder, missing);
+        own_.pages_missing = missing.size();
+        run_.target.pages_missing = run_.target.pages_missing || !missing.empty();
+    }
+
+    /// Everything in the frustum, in as many rounds as the pages need that have room beside each other.
+    void drawAllPages() {
+        FibletResidency& residency = *scene_.residency();
+        const std::vector<std::uint32_t> found = cull_.foundPages(0, 0, static_cast<std::uint32_t>(scene_.pages().size()));
+        own_.pages_wanted = found.size();
+        own_.drawn = 0;
+        for (std::size_t first = 0; first < found.size(); first += residency.slots()) {
             run_.checkCancelled();
-            pyramid();
-            step(2, first, end);
-            first = end;
+            const auto round = std::span(found).subspan(first, std::min<std::size_t>(residency.slots(), found.size() - first));
+            residency.begin();
+            for (const std::uint32_t page : round) residency.take(page);
+            residency.fetch(run_.recorder, round, {}, run_.cancel);
+            own_.counts().listed = 0;
+            cull_.cullFound(0, round);
+            raster(true, 0, own_.counts().listed);
+            own_.drawn += own_.counts().listed;
         }
     }
 
@@ -313,8 +298,17 @@ private:
     void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end) {
         const bool mesh_lines = meshes() && plan_.lines;
         if (mesh_lines) lines_.drawPages(phase, first, end, !plan_.tubes);
-        if (!mesh_lines || plan_.tubes) cull(phase, first, end);
+        if (!mesh_lines || plan_.tubes) cull_.cull(phase, first, end);
         drawListed(!mesh_lines);
+    }
+
+    /// Fiblets of the list; of pictures whose pages are drawn one after the other all.
+    void redraw(std::uint32_t listed) {
+        if (plan_.paged && run_.list.all_pages) {
+            drawAllPages();
+        } else {
+            raster(true, 0, listed);
+        }
     }
 
     /// What is new in the list. \param lines  not only tubes
@@ -337,7 +331,7 @@ private:
     }
 
     void surface() {
-        const bool marks = twoPhases() && !run_.list.frozen;
+        const bool marks = twoPhases() && !run_.list.frozen && !plan_.paged;
         if (marks) run_.recorder.fill(own_.visible, 0, own_.visible.sizeBytes() / 4 * 4, 0);
         resolve(marks, false, false);
         submit(0);
@@ -345,7 +339,7 @@ private:
         while (own_.counts().repaired > 0) {
             const std::uint32_t repaired = own_.counts().repaired;
             own_.counts().repaired = 0;
-            raster(true, 0, repaired);
+            redraw(repaired);
             resolve(false, true, false);
             submit(0);
         }
@@ -353,7 +347,7 @@ private:
         if (!coverage()) {
             own_.coverage.reset();
         } else if (own_.coverage && !run_.list.frozen) {
-            pyramid();
+            cull_.pyramid();
             own_.coverage->remember(run_, scene_, own_, suffix_);
             submit(0);
         }
@@ -362,8 +356,9 @@ private:
     /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
     void resolve(bool marks, bool again, bool marks_only) {
         run_.recorder.dispatch(
-            run_.pipelines.get("fiblet_surface", {PassRun::kGroup, first_ ? 1U : 0U, marks ? 1U : 0U, again ? 0U : 1U,
-                                                  plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U, marks_only ? 1U : 0U}),
+            run_.pipelines.get("fiblet_surface",
+                               withPaged(plan_, {PassRun::kGroup, first_ ? 1U : 0U, marks ? 1U : 0U, again ? 0U : 1U,
+                                                 plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U, marks_only ? 1U : 0U})),
             "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
             SurfacePush{own_.layerAddress(), run_.target.surface.address(), run_.counterAddress()});
     }
@@ -381,6 +376,7 @@ private:
     bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
     std::string suffix_;
     FibletLines lines_;
+    FibletCull cull_;
 };
 
 }  // namespace

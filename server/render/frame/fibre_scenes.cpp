@@ -9,7 +9,7 @@ std::shared_ptr<const FibletScene> FibreScenes::scene(gpu::Device& device, const
     if (found != scenes_.end()) {
         scenes_.splice(scenes_.begin(), scenes_, found);
     } else {
-        scenes_.push_front(std::make_shared<const FibletScene>(device, set));
+        scenes_.push_front(std::make_shared<const FibletScene>(device, set, budget_bytes_));
         if (scenes_.size() > kScenesKept) scenes_.pop_back();
     }
     return scenes_.front();

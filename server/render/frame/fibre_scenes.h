@@ -12,6 +12,8 @@ namespace radiata::render {
 
 class FibreScenes {
 public:
+    /// \param budget_bytes  of each tractogram; 0: whatever it takes
+    explicit FibreScenes(std::uint64_t budget_bytes = 0) : budget_bytes_(budget_bytes) {}
     /// \throws as FibletScene()
     std::shared_ptr<const FibletScene> scene(gpu::Device& device, const std::shared_ptr<const model::FibletSet>& set);
     /// \param selector  of the same tractogram. \throws as FibreFilter() and FibreColours()
@@ -32,6 +34,7 @@ private:
     template <typename Part, typename Make>
     static std::shared_ptr<const Part> find(std::list<Kept<Part>>& kept, const FibletScene& scene,
                                             const model::TractogramLayer& layer, Make&& make);
+    std::uint64_t budget_bytes_;
     std::list<std::shared_ptr<const FibletScene>> scenes_;  ///< most recently used first
     std::list<Kept<FibreFilter>> filters_;
     std::list<Kept<FibreColours>> colours_;

@@ -18,7 +18,8 @@ constexpr float kUnselectedLight = 0.25F;
 void fillFibreLook(ColourTables& colours, const DrawList& list, std::size_t index, shader::LayerLook& look) {
     const model::FibreColour& colour = list.plan->resolved.scene.layers[index].tracts().colour;
     const plan::FibletPlan& fiblets = *list.plan->fiblets[index];
-    look.instances = list.layers[index].tracts->headAddress();
+    const FibletScene& scene = *list.layers[index].tracts;
+    look.instances = scene.residency() ? scene.placeAddress() : scene.headAddress();
     look.states = list.layers[index].fibres->stateAddress();
     const FibreColours& values = *list.layers[index].fibres->colours;
     look.values = values.valueAddress();

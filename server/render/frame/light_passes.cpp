@@ -8,6 +8,8 @@
 namespace radiata::render {
 namespace {
 
+constexpr std::size_t kPagedConstant = 15;  ///< of light.comp
+
 struct LightPush {
     std::uint64_t frame, surface, light, looks, shadow_bits, occlusion_bits, media, veil, global_light, surface_looks, peel,
         picture;
@@ -63,6 +65,10 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                          0U,
                                          picture ? 1U : 0U,
                                          run.list.layers.size() == 1 ? 1U : 0U};
+    if (run.list.plan->paged_layers != 0) {
+        constants.resize(kPagedConstant, 0U);
+        constants.push_back(run.list.plan->paged_layers);
+    }
     addVisibilityConstants(*run.list.plan, constants);
     const std::uint64_t shadow_bits = visibility.shadow != model::Shadow::kNone ? target.shadow_bits.address() : 0;
     const std::uint64_t occlusion_bits = visibility.occlusion ? target.occlusion_bits.address() : 0;
@@ -77,19 +83,23 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
 void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail) {
     const Target::Impl& target = run.target;
     const plan::FramePlan& plan = *run.list.plan;
-    const std::vector<std::uint32_t> constants{PassRun::kGroup,
-                                               first ? 1U : 0U,
-                                               plan.colour_modes,
-                                               0U,
-                                               1U << shader::LAYER_TRACTS,
-                                               plan.fibre_colours,
-                                               0U,
-                                               plan.fibre_occlusion ? 1U : 0U,
-                                               plan.fibre_halos ? 1U : 0U,
-                                               0U,
-                                               0U,
-                                               1U,
-                                               tail ? 1U : 0U};
+    std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                         first ? 1U : 0U,
+                                         plan.colour_modes,
+                                         0U,
+                                         1U << shader::LAYER_TRACTS,
+                                         plan.fibre_colours,
+                                         0U,
+                                         plan.fibre_occlusion ? 1U : 0U,
+                                         plan.fibre_halos ? 1U : 0U,
+                                         0U,
+                                         0U,
+                                         1U,
+                                         tail ? 1U : 0U};
+    if (plan.paged_layers != 0) {
+        constants.resize(kPagedConstant, 0U);
+        constants.push_back(plan.paged_layers);
+    }
     run.recorder.dispatch(
         run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
         LightPush{run.frameAddress(), target.peel_surface.address(), 0, run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0,

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <chrono>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -52,7 +53,10 @@ struct DrawList {
     std::optional<plan::RebasedCamera> frozen;  ///< that fiblets are culled for, if not for the camera
     glm::vec2 pixel_offset{0};                  ///< added to every sample's place in its pixel, pixels right and down
     glm::dvec3 light_direction_world{0, 0, 1};
-    bool moving = false;     ///< transparent fibres are drawn fast
+    bool moving = false;  ///< transparent fibres are drawn fast
+    /// Until when pages of fibres are waited for that are not on the device; none: until they are there.
+    std::optional<std::chrono::steady_clock::time_point> pages_until;
+    bool all_pages = false;  ///< pages that find no room beside each other are drawn one after the other, for picks
     bool settled = false;    ///< global light is that of a picture at rest
     bool same_view = false;  ///< what the target's surface buffer had last is drawn again
 };

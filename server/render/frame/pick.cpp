@@ -144,6 +144,7 @@ std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Targ
     const int radius = fibres ? radius_px : 0, size = 2 * radius + 1;
     list.pixel_offset = {static_cast<float>(x + 0.5 - 0.5 * picture.width), static_cast<float>(y + 0.5 - 0.5 * picture.height)};
     target.prepare(device, size, size, list.layers.size());
+    list.all_pages = true;
     drawer.drawSample(target, list, 0, nullptr);
     drawer.takeTimings();
     std::vector<shader::Surface> surfaces(static_cast<std::size_t>(size) * static_cast<std::size_t>(size));

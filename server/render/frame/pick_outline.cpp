@@ -57,6 +57,7 @@ std::vector<model::PickedFibres> pickOutline(gpu::Device& device, Drawer& drawer
                                              const model::OutlinePixels& pixels, bool through) {
     const model::FrameRequest& picture = list.plan->resolved;
     std::vector<shader::Surface> surfaces;
+    list.all_pages = true;
     if (pixels.size.x > 0) {
         const glm::dvec2 whole(picture.width, picture.height);
         list.pixel_offset = glm::vec2(glm::dvec2(pixels.first) + 0.5 * glm::dvec2(pixels.size) - 0.5 * whole);

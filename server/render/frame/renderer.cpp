@@ -1,7 +1,6 @@
 #include "render/frame/renderer.h"
 
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -13,10 +12,10 @@
 #include "gpu/device.h"
 #include "plan/fit_camera.h"
 #include "render/frame/drawer.h"
-#include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_self_test.h"
 #include "render/frame/fibre_scenes.h"
 #include "render/frame/frame_lattices.h"
+#include "render/frame/frame_notes.h"
 #include "render/frame/illumination_passes.h"
 #include "render/frame/outputs.h"
 #include "render/frame/path_passes.h"
@@ -65,29 +64,6 @@ plan::SceneBounds volumeBounds(const store::VolumeDataset& volume) {
     return bounds;
 }
 
-/// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
-void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::PassTime>& passes) {
-    for (const gpu::PassTiming& timing : timings) {
-        const auto same = std::ranges::find(passes, timing.name, &model::PassTime::name);
-        if (same == passes.end()) {
-            passes.push_back({timing.name, timing.shader, timing.time_ms});
-        } else {
-            same->time_ms = timing.time_ms;
-        }
-    }
-}
-
-/// What became of the layers' fiblets in the latest sample.
-void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
-    for (std::size_t i = 0; i < list.layers.size(); ++i) {
-        if (!list.layers[i].tracts) continue;
-        const FibletBuffers& own = *target.fiblets[i];
-        info.fiblets += list.layers[i].tracts->fibletCount();
-        info.fiblets_drawn += own.drawn;
-        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
-    }
-}
-
 }  // namespace
 
 struct Renderer::Impl {
@@ -105,7 +81,7 @@ struct Renderer::Impl {
     Target own_target, pick_target;
 
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
-        : device(the_device), store(the_store), limits(the_limits), drawer(the_device) {
+        : device(the_device), store(the_store), limits(the_limits), drawer(the_device), tracts(the_limits.tract_memory_bytes) {
         abilities = selfTest(device, drawer);
         addFibreAbilities(device, abilities);
         device_name = device.info().name + ", " + device.info().driver;
@@ -153,7 +129,10 @@ struct Renderer::Impl {
         if (const model::TractogramLayer* fibres = layer.ifTracts()) {
             result.tracts = tracts.scene(device, store.fiblets(fibres->dataset_id));
             result.fibres = tracts.look(device, result.tracts, *fibres, *store.selector(fibres->dataset_id));
-            if (model::drawsUncompressed(quality.fiblet_pipeline)) result.vertices = tracts.vertices(device, result.tracts);
+            // Not where that is refused by the plan.
+            const bool whole = !result.tracts->residency();
+            if (whole && model::drawsUncompressed(quality.fiblet_pipeline))
+                result.vertices = tracts.vertices(device, result.tracts);
             result.bounds = result.tracts->bounds();
             const double grown = kDecodingMm + static_cast<double>(fibres->tube_radius_mm.value_or(0));
             result.bounds.minimum -= grown;
@@ -177,6 +156,7 @@ struct Renderer::Impl {
             facts.fibres = layer.fibres->shown();
             facts.fiblets = layer.tracts->fibletCount();
             facts.segments_filtered = layer.fibres->segmentAddress() != 0;
+            facts.paged = layer.tracts->residency() != nullptr;
             facts.value_min = static_cast<double>(layer.fibres->colours->valueMin());
             facts.value_max = static_cast<double>(layer.fibres->colours->valueMax());
             return facts;
@@ -288,10 +268,23 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
     };
+    const std::uint64_t read_before = pageBytesRead(list);
+    // Moving pictures wait for no disk. Outputs are those of the finished picture.
+    const bool moves = first_sample == 0 && count < request.quality.samples && !outputs.any();
+    if (moves) list.pages_until = begin;
     list.moving = plan.usesPeels() && first_sample == 0 && count < request.quality.samples;
     for (int sample = first_sample; sample < first_sample + count; ++sample) {
-        if (sample > 0 && !settle()) break;
         list.moving = list.moving && sample == 0;
+        // Other views may have taken the place of pages that the light of this one is still to fall on.
+        const bool pages_lost = global && !buffers.settled && buffers.pages_serial != pagesSerial(list);
+        if (sample > 0 && (buffers.pages_missing || pages_lost)) {
+            list.pages_until = until;
+            impl_->drawer.drawSample(buffers, list, 0, cancel);
+            buffers.hit_pixels = buffers.counters().hit_pixels;
+            if (buffers.pages_missing) break;
+        }
+        list.pages_until = sample == 0 ? list.pages_until : std::nullopt;
+        if (sample > 0 && !settle()) break;
         // A picture that rests has its first sample drawn as the others are.
         if (sample > 0 && buffers.approximate) impl_->drawer.drawSample(buffers, list, 0, cancel);
         impl_->drawer.drawSample(buffers, list, sample, cancel);
@@ -311,6 +304,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
     noteFiblets(buffers, list, frame.info);
+    frame.info.fiblet_bytes_read = pageBytesRead(list) - read_before;
+    noteFibreMemory(list, impl_->store);
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;

@@ -58,6 +58,8 @@ struct Target::Impl {
     gpu::Buffer global_light;           ///< vec3[pixels], of the latest sample; only once a scene has global light
     gpu::Buffer surface_looks;          ///< shader::SurfaceLook[layers]; only once an isosurface has one
     gpu::Buffer paths;                  ///< shader::PixelPaths[pixels], of the latest sample; only once pixels were path-traced
+    bool pages_missing = false;         ///< the latest sample waits for pages of fibres
+    std::uint64_t pages_serial = 0;     ///< of the scenes of fibres when it was drawn
     std::uint32_t path_count = 0;       ///< paths of each replicate in them
     double path_seconds = 0;            ///< spent on paths of the picture
     std::uint64_t surface_number = 0;   ///< of the first sample in the surface buffer: views have their own

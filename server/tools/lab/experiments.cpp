@@ -67,6 +67,8 @@ const std::vector<Experiment>& experiments() {
         {"schertzer-fig8", "Schertzer et al. 2022, Fig. 8: pixels that differ from the uncompressed fibres", schertzerFig8},
         {"fiblet-scaling", "frames of fibres over their number, culled and not, in a turn of 1.14 degrees a frame",
          fibletScaling},
+        {"fiblet-streaming",
+         "fibres on a tenth of the device memory that they take: pictures until they are those of the whole", fibletStreaming},
     };
     return kAll;
 }

@@ -44,5 +44,6 @@ Report schertzerTable2(gpu::Device& device, const Options& options);
 Report schertzerTable3(gpu::Device& device, const Options& options);
 Report schertzerFig8(gpu::Device& device, const Options& options);
 Report fibletScaling(gpu::Device& device, const Options& options);
+Report fibletStreaming(gpu::Device& device, const Options& options);
 
 }  // namespace radiata::lab

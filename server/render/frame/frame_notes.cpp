@@ -1,0 +1,52 @@
+#include "render/frame/frame_notes.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "render/frame/fiblet_buffers.h"
+#include "store/store.h"
+
+namespace radiata::render {
+
+void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::PassTime>& passes) {
+    for (const gpu::PassTiming& timing : timings) {
+        const auto same = std::ranges::find(passes, timing.name, &model::PassTime::name);
+        if (same == passes.end()) {
+            passes.push_back({timing.name, timing.shader, timing.time_ms});
+        } else {
+            same->time_ms = timing.time_ms;
+        }
+    }
+}
+
+void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (!list.layers[i].tracts) continue;
+        const FibletBuffers& own = *target.fiblets[i];
+        info.fiblets += list.layers[i].tracts->fibletCount();
+        info.fiblets_drawn += own.drawn;
+        info.fiblet_pages_wanted += own.pages_wanted;
+        info.fiblet_pages_resident += own.pages_wanted - own.pages_left_out - own.pages_missing;
+        info.fiblet_pages_left_out += own.pages_left_out;
+        info.fiblet_error_px = std::max(info.fiblet_error_px, static_cast<double>(std::bit_cast<float>(own.counts().error_px)));
+    }
+}
+
+std::uint64_t pageBytesRead(const DrawList& list) {
+    std::uint64_t bytes = 0;
+    for (const DrawnLayer& layer : list.layers) {
+        if (layer.tracts && layer.tracts->residency()) bytes += layer.tracts->residency()->bytesRead();
+    }
+    return bytes;
+}
+
+void noteFibreMemory(const DrawList& list, store::Store& store) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        const FibletScene* scene = list.layers[i].tracts.get();
+        if (!scene) continue;
+        store.setFibreMemory(list.plan->resolved.scene.layers[i].datasetId(),
+                             {scene->deviceBytes(), scene->pages().size(), scene->residentPages()});
+    }
+}
+
+}  // namespace radiata::render
