@@ -248,11 +248,11 @@ TEST_F(Visibility, CostsNothingWhereItIsOff) {
     plain.camera = cameraAround(image, {1, 2, 3}, true);
     plain.quality.traversal = model::Traversal::kBvh;
     plain.quality.pole_table = model::PoleTable::kOff;
-    const std::vector<std::string> passes{"glyph trace: glyph_trace_even4", "light: light", "resolve: resolve"};
+    const std::vector<std::string> passes{"glyph trace: glyph_trace_even4", "light: light"};
     const std::size_t before_all = renderer.pipelineCount();
     render::Target target;
     EXPECT_EQ(shadersOf(renderer.render(target, plain, 0, 1)), passes);
-    EXPECT_LE(renderer.pipelineCount(), before_all + 3);
+    EXPECT_LE(renderer.pipelineCount(), before_all + 2);
     const std::size_t pipelines = renderer.pipelineCount();
     const std::uint64_t bytes = device.allocatedBytes();
 
@@ -274,14 +274,14 @@ TEST_F(Visibility, CostsNothingWhereItIsOff) {
     request = plain;
     request.scene.light.shadow = model::Shadow::kHard;
     request.quality.sun_table = model::PoleTable::kOff;
-    const std::vector<std::string> hard{passes[0], "shadow: glyph_visibility_even4", passes[1], passes[2]};
+    const std::vector<std::string> hard{passes[0], "shadow: glyph_visibility_even4", passes[1]};
     EXPECT_EQ(shadersOf(renderer.render(target, request, 0, 1)), hard);
     EXPECT_EQ(renderer.pipelineCount(), pipelines + 2) << "one pass and its light";
     // 4 bytes a pixel and a quarter of that to grow; allocations come in whole units.
     EXPECT_LE(device.allocatedBytes(), bytes + 64 * 48 * 5 + 4096);
     EXPECT_GE(device.allocatedBytes(), bytes + 64 * 48 * 4);
     request.quality.sun_table = model::PoleTable::kOn;
-    const std::vector<std::string> table{passes[0], "sun table: glyph_table_even4", hard[1], passes[1], passes[2]};
+    const std::vector<std::string> table{passes[0], "sun table: glyph_table_even4", hard[1], passes[1]};
     EXPECT_EQ(shadersOf(renderer.render(target, request, 0, 1)), table);
     EXPECT_EQ(shadersOf(renderer.render(target, plain, 0, 1)), passes);
 }
