@@ -96,7 +96,7 @@ Report wymanFig4(gpu::Device& device, const Options& options) {
         light.bounces = 1;
         light.sky.radiance = glm::vec3(0.2F);
         light.suns = {{kSunDirection, 5, glm::vec3(1.5F)}};
-        light.relative_error = 0.01F;
+        light.samples_max = 128;
         const model::Outputs outputs{.depth = true, .position = true};
         const double rest = shadowDepth(bench.draw(request, outputs));
         light.project = false;
