@@ -216,7 +216,9 @@ private:
 
 std::string svg(const std::string& heading, const std::vector<Plot>& plots) {
     Writer body;
-    body.text(18, 28, heading, 17, "start", "font-weight='bold'");
+    // As large as fits over one plot: a letter is about 0.6 of its height wide.
+    const int size = static_cast<int>(std::clamp(580 / (0.6 * static_cast<double>(heading.size())), 8.0, 17.0));
+    body.text(18, 28, heading, size, "start", "font-weight='bold'");
     double top = kHeading;
     for (std::size_t i = 0; i < plots.size(); i += 2) {
         double height = 0;
