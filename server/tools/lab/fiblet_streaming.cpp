@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t kFibres = 20'000;
 constexpr int kHeight = 720;
 constexpr std::uint64_t kShare = 10;  ///< of the bytes: one in so many
+constexpr double kNearer = 128;       ///< fibres are longer than a page is wide, so a narrow view meets many pages
 
 /// A folder for one file, gone in the end.
 struct Folder {
@@ -106,7 +107,7 @@ Report fibletStreaming(gpu::Device& device, const Options& options) {
     for (const bool near : {false, true}) {
         const std::string view = near ? "near" : "whole";
         model::Camera camera = fitted;
-        if (near) camera.height_mm = fitted.height_mm / 16;
+        if (near) camera.height_mm = fitted.height_mm / kNearer;
         render::Target target, all_target;
         for (const bool turned : {false, true}) {
             request.camera = turned ? model::orbit(camera, 60, 0) : camera;
