@@ -8,6 +8,7 @@
 #extension GL_GOOGLE_include_directive : require
 #extension GL_KHR_shader_subgroup_ballot : require
 #include "shaders/common/invocation.glsl"
+#include "shaders/common/whole_number.glsl"
 #include "shaders/fiblet/layer.glsl"
 #include "shaders/fiblet/walk.glsl"
 #include "shaders/common/fibre_directions.glsl"
@@ -61,12 +62,6 @@ void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal) {
 
 void noteError(FibletLayerParams layer, float error) {
     if (error > 0.0) atomicMax(CountsBuffer(layer.counts).counts.error_px, floatBitsToUint(error));
-}
-
-// Of a whole number within 2^22: CPU drivers convert lane by lane.
-int wholeNumber(float whole) {
-    precise const float marked = whole + 12582912.0;
-    return floatBitsToInt(marked) - floatBitsToInt(12582912.0);
 }
 
 // \param a, b   eye points of the ends, clipped to the near plane \param count  segments from `who` on that the line stands for

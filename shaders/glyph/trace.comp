@@ -25,13 +25,6 @@ layout(push_constant, scalar) uniform Push {
 
 const uint kNone = 0xffffffffu;
 
-// Invocations are laid out so that any subgroup of 8, 16, 32 or 64 covers a compact block of pixels.
-uvec2 pixelOfInvocation() {
-    const uint i = localInvocation();
-    const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
-    return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
-}
-
 // The candidate that visitInstance() has found.
 void process(FrameParams frame, GlyphLayerParams layer, uint index) {
     if (kBoxesOnly) {
@@ -133,7 +126,7 @@ vec3 hitNormal(GlyphLayerParams layer, uint index, vec3 p) {
 void main() {
     const FrameParams frame = push.frame.frame;
     const GlyphLayerParams layer = push.layer.layer;
-    const uvec2 pixel = pixelOfInvocation();
+    const uvec2 pixel = pixelOfInvocation(push.first_block_row);
     const bool inside = pixel.x < frame.width && pixel.y < frame.height;
     const uint at = pixel.y * frame.width + pixel.x;
     ray = pixelRay(frame.rays, vec2(frame.width, frame.height), vec2(pixel) + 0.5 + frame.jitter);

@@ -27,13 +27,6 @@ layout(push_constant, scalar) uniform Push {
 const uint kNone = 0xffffffffu;
 float travelled = 0.0;  // mm
 
-// Invocations are laid out so that any subgroup of 8, 16, 32 or 64 covers a compact block of pixels.
-uvec2 pixelOfInvocation() {
-    const uint i = localInvocation();
-    const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
-    return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
-}
-
 // The candidate that visitInstance() has found; best_t is the surface's depth and stays.
 void travel(FrameParams frame, GlyphLayerParams layer, uint index) {
     const GlyphInstance instance = candidate;
@@ -105,7 +98,7 @@ void traverseHierarchy(FrameParams frame, GlyphLayerParams layer) {
 void main() {
     const FrameParams frame = push.frame.frame;
     const UncertaintyParams params = push.uncertainty.params;
-    const uvec2 pixel = pixelOfInvocation();
+    const uvec2 pixel = pixelOfInvocation(push.first_block_row);
     if (pixel.x < frame.width && pixel.y < frame.height) {
         const uint at = pixel.y * frame.width + pixel.x;
         ray = pixelRay(frame.rays, vec2(frame.width, frame.height), vec2(pixel) + 0.5 + frame.jitter);

@@ -30,12 +30,6 @@ layout(push_constant, scalar) uniform Push {
 
 uint capped_rays = 0u;
 
-uvec2 pixelOfInvocation() {
-    const uint i = localInvocation();
-    const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
-    return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + push.first_block_row) * 8u + inside;
-}
-
 // Those of the rays that pass the glyph's box.
 uint raysThroughBox(uint rays, vec3 origin, GlyphInstance instance, float t_max) {
     uint through = 0u;
@@ -92,7 +86,7 @@ uint raysBlocked(GlyphLayerParams layer, GlyphInstance instance, vec3 origin, bo
 void main() {
     const FrameParams frame = push.frame.frame;
     const GlyphLayerParams layer = push.layer.layer;
-    const uvec2 pixel = pixelOfInvocation();
+    const uvec2 pixel = pixelOfInvocation(push.first_block_row);
     if (pixel.x >= frame.width || pixel.y >= frame.height) return;
     const uint at = pixel.y * frame.width + pixel.x;
     const Surface surface = push.surface.at[at];

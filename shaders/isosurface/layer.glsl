@@ -15,12 +15,6 @@ layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame
 layout(buffer_reference, scalar) readonly buffer SurfaceLayerBuffer { IsosurfaceParams at[]; };
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 
-uvec2 pixelOfInvocation(uint first_block_row) {
-    const uint i = localInvocation();
-    const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
-    return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + first_block_row) * 8u + inside;
-}
-
 // A ray of the world, mm, relative to the frame's reference point, in the layer's grid; t stays in mm.
 GridRay gridRay(IsosurfaceParams layer, vec3 origin, vec3 direction) {
     return GridRay(layer.base, layer.fraction + gridVector(layer.volume, origin), gridVector(layer.volume, direction));
