@@ -38,40 +38,55 @@ v1::IntersectionMethod methodOf(Intersection method) {
     return v1::INTERSECTION_METHOD_UNSPECIFIED;
 }
 
-void readPolynomial(const v1::PolynomialSettings& settings, const std::string& where, model::PolynomialSettings& result) {
+/// What is absent as the method takes it, so that a request is equal to its echo.
+void readPolynomial(const v1::PolynomialSettings& settings, const std::string& where, model::Quality& result) {
     checkEnum(settings.stop(), v1::PolynomialSettings::Stop_IsValid, v1::PolynomialSettings::Stop_MAX, where + ".stop");
-    result.bracket_stop = settings.stop() != v1::PolynomialSettings::STOP_STEP;
-    if (settings.has_tolerance()) result.tolerance = settings.tolerance();
+    result.polynomial.bracket_stop = settings.stop() != v1::PolynomialSettings::STOP_STEP;
+    if (settings.has_tolerance()) result.polynomial.tolerance = settings.tolerance();
+    if (model::byPolynomial(result.intersection)) {
+        result.polynomial.tolerance = model::polynomialTolerance(result.intersection, result.polynomial);
+    }
 }
 
-/// Only those that the method looks at.
+void readRayMarch(const v1::RayMarchSettings& settings, const std::string& where, model::Quality& result) {
+    if (settings.has_steps()) result.ray_march.steps = toInt(settings.steps(), where + ".steps");
+    if (settings.has_refinements()) result.ray_march.refinements = toInt(settings.refinements(), where + ".refinements");
+    if (model::byEqualSteps(result.intersection)) {
+        result.ray_march.refinements = model::rayMarchRefinements(result.intersection, result.ray_march);
+    }
+}
+
+v1::PolynomialSettings polynomialProto(const model::PolynomialSettings& settings) {
+    v1::PolynomialSettings message;
+    message.set_stop(settings.bracket_stop ? v1::PolynomialSettings::STOP_BRACKET : v1::PolynomialSettings::STOP_STEP);
+    if (settings.tolerance) message.set_tolerance(*settings.tolerance);
+    return message;
+}
+
+v1::RayMarchSettings rayMarchProto(const model::RayMarchSettings& settings) {
+    v1::RayMarchSettings message;
+    message.set_steps(static_cast<std::uint32_t>(settings.steps));
+    if (settings.refinements) message.set_refinements(static_cast<std::uint32_t>(*settings.refinements));
+    return message;
+}
+
+/// Those that the method looks at, and of the others what was asked for.
 void setMethodSettings(v1::Quality& message, const model::Quality& quality) {
-    switch (quality.intersection) {
-        case Intersection::kMarch:
-        case Intersection::kPoleTable:
-            return;
-        case Intersection::kPolynomial:
-        case Intersection::kPolynomialDouble:
-            message.mutable_polynomial()->set_stop(quality.polynomial.bracket_stop ? v1::PolynomialSettings::STOP_BRACKET
-                                                                                   : v1::PolynomialSettings::STOP_STEP);
-            [[fallthrough]];
-        case Intersection::kLaguerre:
-            message.mutable_polynomial()->set_tolerance(model::polynomialTolerance(quality.intersection, quality.polynomial));
-            return;
-        case Intersection::kRayMarchPeeters:
-        case Intersection::kRayMarchVanAlmsick:
-            message.mutable_ray_march()->set_steps(static_cast<std::uint32_t>(quality.ray_march.steps));
-            message.mutable_ray_march()->set_refinements(
-                static_cast<std::uint32_t>(model::rayMarchRefinements(quality.intersection, quality.ray_march)));
-            return;
-        case Intersection::kTensorMarch:
-        case Intersection::kTensorInterval:
-        case Intersection::kTensorAffine:
-            *message.mutable_tensor_march() = toProto(quality.tensor_march);
-            return;
-        case Intersection::kTessellated:
-            *message.mutable_tessellation() = toProto(quality.tessellation);
-            return;
+    const Intersection method = quality.intersection;
+    const bool tensor = method == Intersection::kTensorMarch || method == Intersection::kTensorInterval ||
+                        method == Intersection::kTensorAffine;
+    const model::Quality unset;
+    if (model::byPolynomial(method) || quality.polynomial != unset.polynomial) {
+        *message.mutable_polynomial() = polynomialProto(quality.polynomial);
+    }
+    if (model::byEqualSteps(method) || quality.ray_march != unset.ray_march) {
+        *message.mutable_ray_march() = rayMarchProto(quality.ray_march);
+    }
+    if (tensor || quality.tensor_march != unset.tensor_march) {
+        *message.mutable_tensor_march() = toProto(quality.tensor_march);
+    }
+    if (method == Intersection::kTessellated || quality.tessellation != unset.tessellation) {
+        *message.mutable_tessellation() = toProto(quality.tessellation);
     }
 }
 
@@ -93,15 +108,11 @@ model::Quality fromProto(const v1::Quality& quality, const std::string& where) {
     if (quality.has_samples()) result.samples = toInt(quality.samples(), where + ".samples");
     if (quality.has_jpeg_quality()) result.jpeg_quality = toInt(quality.jpeg_quality(), where + ".jpeg_quality");
     result.intersection = methodOf(quality.intersection());
+    readPolynomial(quality.polynomial(), where + ".polynomial", result);
+    readRayMarch(quality.ray_march(), where + ".ray_march", result);
+    result.tensor_march = fromProto(quality.tensor_march(), where + ".tensor_march");
     result.tessellation = fromProto(quality.tessellation(), where + ".tessellation");
     result.isosurface = fromProto(quality.isosurface(), where + ".isosurface");
-    result.tensor_march = fromProto(quality.tensor_march(), where + ".tensor_march");
-    readPolynomial(quality.polynomial(), where + ".polynomial", result.polynomial);
-    if (quality.ray_march().has_steps())
-        result.ray_march.steps = toInt(quality.ray_march().steps(), where + ".ray_march.steps");
-    if (quality.ray_march().has_refinements()) {
-        result.ray_march.refinements = toInt(quality.ray_march().refinements(), where + ".ray_march.refinements");
-    }
     result.fxaa = quality.fxaa();
     if (quality.glyph_boxes() == v1::GLYPH_BOXES_CYLINDER) result.glyph_boxes = model::GlyphBoxes::kCylinder;
     switch (quality.traversal()) {

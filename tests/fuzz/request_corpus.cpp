@@ -4,6 +4,8 @@
 #include <fstream>
 #include <string>
 
+#include <google/protobuf/descriptor.h>
+
 #include "radiata/v1/render.pb.h"
 #include "radiata/v1/view.pb.h"
 
@@ -85,6 +87,12 @@ void writeAll(const std::filesystem::path& folder) {
             update.set_height(48);
             write(folder / ("update_" + name), '\2', update.SerializeAsString());
         }
+    }
+    const auto* methods = v1::IntersectionMethod_descriptor();
+    for (int i = 0; i < methods->value_count(); ++i) {
+        v1::UpdateRequest update;
+        update.mutable_quality()->set_intersection(static_cast<v1::IntersectionMethod>(methods->value(i)->number()));
+        write(folder / ("method_" + std::to_string(i)), '\2', update.SerializeAsString());
     }
 }
 
