@@ -28,7 +28,7 @@ bool visible(FibletLayerParams layer, vec3 low, vec3 high) {
 
 // Whether the depths hide all pieces of a box's diagonal with what is about them; a box alone reaches over many more pixels, and nearer.
 bool hiddenAlong(FibletLayerParams layer, FibletBox box, vec3 low, vec3 high) {
-    const uint kPieces = 8u;
+    const uint kPieces = 4u;
     vec3 from, to;
     float radius;
     if (!fibletDiagonal(box, low, high, from, to, radius)) return false;
