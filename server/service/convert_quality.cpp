@@ -56,9 +56,11 @@ void readRayMarch(const v1::RayMarchSettings& settings, const std::string& where
     }
 }
 
-v1::PolynomialSettings polynomialProto(const model::PolynomialSettings& settings) {
+/// \param stops  by the setting, unlike Laguerre's method, of which the default is not echoed
+v1::PolynomialSettings polynomialProto(const model::PolynomialSettings& settings, bool stops) {
     v1::PolynomialSettings message;
-    message.set_stop(settings.bracket_stop ? v1::PolynomialSettings::STOP_BRACKET : v1::PolynomialSettings::STOP_STEP);
+    if (!settings.bracket_stop) message.set_stop(v1::PolynomialSettings::STOP_STEP);
+    if (settings.bracket_stop && stops) message.set_stop(v1::PolynomialSettings::STOP_BRACKET);
     if (settings.tolerance) message.set_tolerance(*settings.tolerance);
     return message;
 }
@@ -77,7 +79,7 @@ void setMethodSettings(v1::Quality& message, const model::Quality& quality) {
                         method == Intersection::kTensorAffine;
     const model::Quality unset;
     if (model::byPolynomial(method) || quality.polynomial != unset.polynomial) {
-        *message.mutable_polynomial() = polynomialProto(quality.polynomial);
+        *message.mutable_polynomial() = polynomialProto(quality.polynomial, method != Intersection::kLaguerre);
     }
     if (model::byEqualSteps(method) || quality.ray_march != unset.ray_march) {
         *message.mutable_ray_march() = rayMarchProto(quality.ray_march);

@@ -117,11 +117,11 @@ private:
 
     void toPeelSurface() {
         const auto resolve = [&] {
-            run_.recorder.dispatch(
-                run_.pipelines.get("fiblet_surface", withPaged(plan_, {PassRun::kGroup, 0U, 0U, 0U, plan_.tubes ? 1U : 0U,
-                                                                       plan_.selected_only ? 1U : 0U, 0U})),
-                "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
-                SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
+            run_.recorder.dispatch(run_.pipelines.get("fiblet_surface", withPaged(plan_, {PassRun::kGroup, first_ ? 1U : 0U, 0U,
+                                                                                          0U, plan_.tubes ? 1U : 0U,
+                                                                                          plan_.selected_only ? 1U : 0U, 0U})),
+                                   "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
+                                   SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
             submit(0);
         };
         resolve();
@@ -198,7 +198,7 @@ private:
         run_.recorder.dispatch(
             run_.pipelines.get("fiblet_begin", {PassRun::kGroup, counting_ ? 1U : 0U}), "fiblet begin" + suffix_,
             PassRun::groups(run_.pixels()), 1, 1,
-            BeginPush{own_.layerAddress(), (peels_ ? run_.target.peel_surface : run_.target.surface).address(),
+            BeginPush{own_.layerAddress(), (peels_ && !first_ ? run_.target.peel_surface : run_.target.surface).address(),
                       run_.target.surface.address()});
     }
 
@@ -368,7 +368,7 @@ private:
     const FibletScene& scene_;
     FibletBuffers& own_;
     std::uint32_t detail_ = 0;
-    bool first_;                               ///< nothing is in the surface buffer yet
+    bool first_;                               ///< nothing is in the surface buffer, or peel surface, yet
     bool peels_ = false;                       ///< segment by segment, one behind the other
     bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
     bool peeling_ = false, counting_ = false;  ///< of transparent layers: what was composed is left out; segments are counted
@@ -377,8 +377,8 @@ private:
     FibletCull cull_;
 };
 
-FibletPeel::FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool counted)
-    : run_(std::make_unique<FibletRun>(run, layer, false, pace)), counted_(counted) {
+FibletPeel::FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, bool counted)
+    : run_(std::make_unique<FibletRun>(run, layer, alone, pace)), counted_(counted) {
     run_->beginPeels(counted);
 }
 FibletPeel::~FibletPeel() = default;

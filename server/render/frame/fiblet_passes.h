@@ -17,8 +17,9 @@ void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 /// composed (shaders/frame/peel.glsl).
 class FibletPeel {
 public:
+    /// \param alone    no other layer is transparent: the peel surface is what this one finds
     /// \param counted  the first round counts the segments before what is opaque
-    FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool counted);
+    FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, bool counted);
     ~FibletPeel();
     FibletPeel(FibletPeel&&) noexcept;
 

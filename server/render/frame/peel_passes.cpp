@@ -1,5 +1,6 @@
 #include "render/frame/peel_passes.h"
 
+#include <bit>
 #include <vector>
 
 #include "gpu/device.h"
@@ -29,10 +30,12 @@ public:
         ensureBytes(run.device, target.peel_params, sizeof(shader::PeelParams), gpu::Memory::kUpload, "peel parameters");
         params() = {};
         const std::vector<model::Layer>& layers = run.list.plan->resolved.scene.layers;
+        const bool alone = std::popcount(run.list.plan->peeled_layers) == 1;
         for (std::size_t i = 0; i < layers.size(); ++i) {
             if ((run.list.plan->peeled_layers >> i & 1U) == 0) continue;
             if (layers[i].ifTracts()) {
-                fibres_.emplace_back(run, i, pace, fast_);
+                fibres_.emplace_back(run, i, pace, alone, fast_);
+                alone_ = alone;
                 params().fibres[i] = fibres_.back().address();
             } else if (layers[i].ifGlyphs()) {
                 params().glyphs[i] = peelGlyphs(run, i).address();
@@ -52,7 +55,8 @@ public:
         run_.target.approximate = fast_;
         for (int round = 0; !fast_ || round < kMovingPeels; ++round) {
             run_.checkCancelled();
-            begin(round == 0);
+            // One layer of fibres writes all of the peel surface itself.
+            if (!alone_ || (fast_ && round == 0)) begin(round == 0);
             if (surfaces_ != 0) findCrossings(round == 0);
             for (FibletPeel& layer : fibres_) layer.find(round == 0);
             params().more = 0;
@@ -92,7 +96,7 @@ private:
 
     PassRun& run_;
     BandSize& bands_;
-    bool fast_;
+    bool fast_, alone_ = false;
     std::vector<FibletPeel> fibres_;
     std::uint32_t glyphs_ = 0, surfaces_ = 0, kinds_ = 0;
 };
