@@ -1,6 +1,7 @@
 // One pixel of a picture, and for fibres those around it, drawn alone: a small picture with the rays of the large one.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -16,10 +17,13 @@ namespace radiata::render {
 model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
                                 const plan::Abilities& abilities);
 
+/// Adds to what is known about the glyph under the pixel.
+using FoundGlyph = std::function<void(const shader::GlyphInstance& instance, model::PickedGlyph& glyph)>;
+
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
-/// pixel
+/// pixel \param found_glyph  may be empty
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
-                                       int radius_px);
+                                       int radius_px, const FoundGlyph& found_glyph = {});
 
 /// The fibres within the pixels of an outline, for each layer of fibres. \param list  of the whole picture, changed for the
 /// outline's window
