@@ -8,7 +8,6 @@
 #include "gpu/device.h"
 #include "math/sh_evaluate.h"
 #include "render/fiblet/fibre_measures.h"
-#include "render/frame/pick_hits.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::render {

@@ -1,13 +1,13 @@
 // One pixel of a picture, and for fibres those around it, drawn alone: a small picture with the rays of the large one.
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
 #include "model/outline.h"
 #include "model/pick.h"
 #include "render/frame/drawer.h"
+#include "render/frame/pick_hits.h"
 
 namespace radiata::render {
 
@@ -16,9 +16,6 @@ namespace radiata::render {
 /// traversal
 model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
                                 const plan::Abilities& abilities);
-
-/// Adds to what is known about the glyph under the pixel.
-using FoundGlyph = std::function<void(const shader::GlyphInstance& instance, model::PickedGlyph& glyph)>;
 
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
 /// pixel \param found_glyph  may be empty

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "base/error.h"
 #include "gpu/device.h"
@@ -46,18 +47,6 @@ std::vector<float> glyphValues(const model::PickedGlyph& glyph, const std::strin
     values.resize(layout.count(), 0.0F);
     values.push_back(static_cast<float>(radius));
     return values;
-}
-
-}  // namespace
-
-PickRay pickRay(const DrawList& list, const glm::ivec2& away) {
-    const shader::CameraRays& rays = list.camera.rays;
-    const glm::dvec2 offset = glm::dvec2(list.pixel_offset) + glm::dvec2(away);
-    const glm::dvec3 origin = offset.x * glm::dvec3(rays.step_right) - offset.y * glm::dvec3(rays.step_up);
-    const glm::dvec3 direction = origin * static_cast<double>(rays.inverse_distance) + glm::dvec3(rays.forward);
-    const double stretch = glm::length(direction);
-    return {list.camera.reference_mm + origin, direction / stretch, static_cast<double>(rays.near_depth) * stretch,
-            static_cast<double>(rays.far_depth) * stretch};
 }
 
 std::vector<model::RayHit> allHits(gpu::Device& device, Drawer& drawer, const DrawList& list,
@@ -119,6 +108,25 @@ std::vector<model::RayHit> allHits(gpu::Device& device, Drawer& drawer, const Dr
         hits.push_back(hit);
     }
     return hits;
+}
+
+}  // namespace
+
+PickRay pickRay(const DrawList& list, const glm::ivec2& away) {
+    const shader::CameraRays& rays = list.camera.rays;
+    const glm::dvec2 offset = glm::dvec2(list.pixel_offset) + glm::dvec2(away);
+    const glm::dvec3 origin = offset.x * glm::dvec3(rays.step_right) - offset.y * glm::dvec3(rays.step_up);
+    const glm::dvec3 direction = origin * static_cast<double>(rays.inverse_distance) + glm::dvec3(rays.forward);
+    const double stretch = glm::length(direction);
+    return {list.camera.reference_mm + origin, direction / stretch, static_cast<double>(rays.near_depth) * stretch,
+            static_cast<double>(rays.far_depth) * stretch};
+}
+
+FoundGlyph allHitsFinder(gpu::Device& device, Drawer& drawer, const DrawList& list, const model::Quality& quality,
+                         const plan::Abilities& abilities) {
+    return [&](const shader::GlyphInstance& instance, model::PickedGlyph& glyph) {
+        glyph.hits = allHits(device, drawer, list, instance, glyph, quality, abilities);
+    };
 }
 
 }  // namespace radiata::render

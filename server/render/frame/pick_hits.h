@@ -1,7 +1,7 @@
 // All hits of a pick's ray with the glyph that it meets first, by the picture's method of intersection.
 #pragma once
 
-#include <vector>
+#include <functional>
 
 #include "model/pick.h"
 #include "render/frame/drawer.h"
@@ -19,11 +19,12 @@ struct PickRay {
 /// \param away  pixels from the middle of the list's window
 PickRay pickRay(const DrawList& list, const glm::ivec2& away = glm::ivec2(0));
 
-/// \param instance  the glyph on the device \param glyph  the same as it was picked
-/// \param quality  of the picture: method and its settings
-/// \throws Error(kInvalidArgument) for ellipsoids, Error(kUnsupported) if the method does not draw the layer's bands
-std::vector<model::RayHit> allHits(gpu::Device& device, Drawer& drawer, const DrawList& list,
-                                   const shader::GlyphInstance& instance, const model::PickedGlyph& glyph,
-                                   const model::Quality& quality, const plan::Abilities& abilities);
+/// Adds to what is known about the glyph under a pixel. \param instance  the glyph on the device
+using FoundGlyph = std::function<void(const shader::GlyphInstance& instance, model::PickedGlyph& glyph)>;
+
+/// Fills PickedGlyph::hits; the arguments must outlive it. It throws Error(kInvalidArgument) for ellipsoids,
+/// Error(kUnsupported) if the method does not draw the layer's bands. \param quality  of the picture: method and its settings
+FoundGlyph allHitsFinder(gpu::Device& device, Drawer& drawer, const DrawList& list, const model::Quality& quality,
+                         const plan::Abilities& abilities);
 
 }  // namespace radiata::render

@@ -20,7 +20,6 @@
 #include "render/frame/outputs.h"
 #include "render/frame/path_passes.h"
 #include "render/frame/pick.h"
-#include "render/frame/pick_hits.h"
 #include "render/frame/self_test.h"
 #include "store/scalar_dataset.h"
 #include "store/store.h"
@@ -335,11 +334,7 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
     FoundGlyph found_glyph;
-    if (all_hits) {
-        found_glyph = [&](const shader::GlyphInstance& instance, model::PickedGlyph& glyph) {
-            glyph.hits = allHits(impl_->device, impl_->drawer, list, instance, glyph, request.quality, impl_->abilities);
-        };
-    }
+    if (all_hits) found_glyph = allHitsFinder(impl_->device, impl_->drawer, list, request.quality, impl_->abilities);
     return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px, found_glyph);
 }
 

@@ -44,7 +44,7 @@ TEST(Annotations, NameWhatIsLeftOutOfLayers) {
     SubsetFacts facts{0, 10};
     facts.left_out = {{0, 4, 8, 37, 10, 1}};
     auto marks = annotations(frame, model::FrameState::kConverged, 16, facts);
-    EXPECT_EQ(at(marks, 0, 0, 2), "slice: 0 of 10 glyphs shown");
+    EXPECT_EQ(at(marks, 0, 0, 2), "subset: 0 of 10 glyphs shown");
     EXPECT_EQ(at(marks, 0, 0, 3), "bands to 4 of 8 drawn");
     EXPECT_EQ(at(marks, 0, 0, 4), "10 glyphs left out: too large or small for float32");
     EXPECT_EQ(at(marks, 0, 0, 5), "37 voxels left out: NaN or infinity");
