@@ -133,12 +133,14 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
     for (const std::uint32_t fibre : options.select_fibres) layer.mutable_selected()->add_fibres(fibre);
     if (!options.show.empty()) layer.mutable_shown()->set_selection(options.show);
     if (!options.select.empty()) layer.mutable_selected()->set_selection(options.select);
-    for (const std::string& region : options.inside) layer.add_region_cuts()->set_region(region);
-    for (const std::string& region : options.outside) {
+    const auto addRegionCut = [&](const std::string& region, bool outside) {
         v1::FibreRegionCut& cut = *layer.add_region_cuts();
         cut.set_region(region);
-        cut.set_outside(true);
-    }
+        cut.set_outside(outside);
+        cut.set_by_depths(options.by_depths);
+    };
+    for (const std::string& region : options.inside) addRegionCut(region, false);
+    for (const std::string& region : options.outside) addRegionCut(region, true);
     for (const std::string& criterion : options.criteria) addCriterion(layer, criterion);
     layer.set_exact_width(options.exact_width);
     if (options.hide_unselected) layer.set_unselected(v1::UNSELECTED_FIBRES_HIDDEN);
@@ -210,6 +212,10 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_option("--cut-outside", options.outside, "Show only what lies outside of this region; may be repeated")
         ->take_all()
         ->type_name("REGION");
+    app.add_flag(
+        "--cut-by-depths", options.by_depths,
+        "Cut by a mesh's nearest front and farthest back face in each pixel, as Schertzer et al. do: wrong where it is "
+        "concave");
     app.add_option(
            "--criterion", options.criteria,
            "Show only what has values of a column within bounds: fibres, or segments for columns per point; may be repeated")
@@ -222,8 +228,9 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
     app.add_flag("--hide-unselected", options.hide_unselected, "Hide fibres that are not selected, instead of dimming them");
     app.add_option("--fiblet-pipeline", options.pipeline, "How fibres are drawn (default atomic)")
         ->check(CLI::IsMember({"atomic", "pull", "mesh", "mesh-serial", "geometry", "tessellation", "lines", "points"}));
-    app.add_option("--fiblet-culling", options.culling, "Which fiblets are decoded (default two-phase)")
-        ->check(CLI::IsMember({"two-phase", "frustum", "none", "coverage"}));
+    app.add_option("--fiblet-culling", options.culling,
+                   "Which fiblets are decoded (default auto: two-phase, or frustum where that takes less time)")
+        ->check(CLI::IsMember({"auto", "two-phase", "frustum", "none", "coverage"}));
     app.add_option("--fiblet-detail", options.detail_px,
                    "Draw fibres with fewer lines that are off by so many pixels at most, 0.05 to 16");
     app.add_option("--freeze-culling", options.frozen,

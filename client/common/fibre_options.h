@@ -31,7 +31,8 @@ struct FibreOptions {
     bool exact_width = false;
     std::string show, select;                  ///< selections
     std::vector<std::string> inside, outside;  ///< regions
-    std::vector<std::string> criteria;         ///< COLUMN,LOW,HIGH
+    bool by_depths = false;
+    std::vector<std::string> criteria;  ///< COLUMN,LOW,HIGH
     std::string pipeline, culling;
     std::optional<float> opacity;
     std::optional<float> detail_px;

@@ -229,7 +229,7 @@ void addRequestOptions(CLI::App& app, RequestOptions& options, bool with_camera)
     addTensorOptions(app, options.tensors);
     addFibreOptions(app, options.fibres);
     addIsosurfaceOptions(app, options.isosurfaces);
-    app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1");
+    app.add_option("--opacity", options.opacity, "Opacity of the glyphs, above 0, up to 1: what is behind shines through");
     addUncertaintyOptions(app, options.uncertainty);
     app.add_option("--isotropic", options.isotropic_part,
                    "Constant added to each glyph's function, in typical amplitudes, 0 to 10 (default 0)");

@@ -97,6 +97,11 @@ std::unique_ptr<RegionVolume> FibreSelector::region(const std::string& text) con
     return regionVolume(model::parseRegion(text), masks_, meshes_);
 }
 
+std::shared_ptr<const model::TriangleMesh> FibreSelector::mesh(const std::string& text) const {
+    region(text);  // refuses what is open
+    return meshes_(model::parseRegion(text).dataset);
+}
+
 FibreBits FibreSelector::select(const model::Selection& selection) {
     using Kind = model::Selection::Kind;
     const std::uint64_t count = set_->fibres();

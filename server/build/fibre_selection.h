@@ -51,6 +51,8 @@ public:
 
     /// One region written as in model/selection_text.h. \throws as regionVolume() and parseRegion()
     std::unique_ptr<RegionVolume> region(const std::string& text) const;
+    /// The surface of a region mesh(DATASET). \throws as region()
+    std::shared_ptr<const model::TriangleMesh> mesh(const std::string& text) const;
 
     const model::FibletSet& set() const { return *set_; }
 

@@ -39,7 +39,7 @@ struct Quality {
     RayMarchSettings ray_march;     ///< of the marches with equal steps
     GlyphBoxes glyph_boxes = GlyphBoxes::kTight;
     FibletPipeline fiblet_pipeline = FibletPipeline::kAuto;
-    FibletCulling fiblet_culling = FibletCulling::kTwoPhase;
+    FibletCulling fiblet_culling = FibletCulling::kAuto;
     std::optional<Camera> frozen_culling;   ///< fibres are drawn that two phases see from here, in a picture of the same size
     bool fxaa = false;                      ///< pictures of one sample have their edges smoothed
     std::optional<float> fiblet_detail_px;  ///< that lines may be off, to be fewer; none: every segment is drawn

@@ -122,8 +122,16 @@ void checkFilters(const TractogramLayer& tracts, const std::string& where) {
                " of each are possible");
     }
     for (std::size_t i = 0; i < tracts.region_cuts.size(); ++i) {
-        checkText(tracts.region_cuts[i].region, "region", where + ".region_cuts[" + std::to_string(i) + "].region");
+        const FibreRegionCut& cut = tracts.region_cuts[i];
+        const std::string at = where + ".region_cuts[" + std::to_string(i) + "]";
+        checkText(cut.region, "region", at + ".region");
+        if (cut.by_depths && parseRegion(cut.region).shape != RegionShape::kMesh) {
+            refuse(at + " is by_depths, which are those of a mesh; its region is '" + cut.region +
+                   "' instead of mesh(DATASET)");
+        }
     }
+    if (std::ranges::count_if(tracts.region_cuts, &FibreRegionCut::by_depths) > 1)
+        refuse(where + " has several region_cuts by_depths; one is possible");
     for (std::size_t i = 0; i < tracts.criteria.size(); ++i) {
         const FibreCriterion& criterion = tracts.criteria[i];
         const std::string at = where + ".criteria[" + std::to_string(i) + "]";
@@ -325,8 +333,9 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     if (request.quality.frozen_culling) {
         cameraFrame(*request.quality.frozen_culling);
-        if (request.quality.fiblet_culling != FibletCulling::kTwoPhase) {
-            refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that");
+        const FibletCulling culling = request.quality.fiblet_culling;
+        if (culling != FibletCulling::kTwoPhase && culling != FibletCulling::kAuto) {
+            refuse("quality.frozen_culling shows what two-phase culling leaves; fiblet_culling must be that, or be left open");
         }
         if (drawsUncompressed(request.quality.fiblet_pipeline)) {
             refuse("quality.frozen_culling needs fiblets; quality.fiblet_pipeline is " +

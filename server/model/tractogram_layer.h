@@ -49,6 +49,7 @@ struct FibreCut {
 struct FibreRegionCut {
     std::string region;  ///< one region as in selection_text.h
     bool outside = false;
+    bool by_depths = false;  ///< of a mesh: pixel by pixel between its nearest front and farthest back face
     bool operator==(const FibreRegionCut&) const = default;
 };
 
@@ -102,8 +103,8 @@ inline bool drawsUncompressed(FibletPipeline pipeline) {
 inline bool drawsByRasteriser(FibletPipeline pipeline) {
     return pipeline != FibletPipeline::kAuto && pipeline != FibletPipeline::kAtomic && pipeline != FibletPipeline::kPoints;
 }
-/// Which of them are.
-enum class FibletCulling { kTwoPhase, kFrustum, kNone, kCoverage };
+/// Which of them are. kAuto: two phases where that pays, else the frustum.
+enum class FibletCulling { kAuto, kTwoPhase, kFrustum, kNone, kCoverage };
 
 constexpr int kLineWidthMax = 31;
 constexpr std::size_t kFibreCutsMax = 6;

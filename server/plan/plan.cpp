@@ -8,6 +8,7 @@
 #include "plan/method_plan.h"
 #include "plan/plan_illumination.h"
 #include "plan/plan_isosurface.h"
+#include "plan/plan_peels.h"
 #include "plan/plan_raster.h"
 #include "plan/plan_uncertainty.h"
 #include "plan/plan_visibility.h"
@@ -170,6 +171,7 @@ void resolveMethod(model::Quality& quality, bool uses_table) {
 /// Passes of the layer that writes the surface buffer first need nothing from it.
 void markFirst(std::vector<PassPlan>& passes) {
     const auto writes = [](const PassPlan& pass) {
+        if (pass.peeled) return false;
         return pass.kind == PassKind::kGlyphTrace || pass.kind == PassKind::kRasterSurface || pass.kind == PassKind::kFiblets ||
                pass.kind == PassKind::kIsosurfaceTrace;
     };
@@ -178,18 +180,8 @@ void markFirst(std::vector<PassPlan>& passes) {
         passes.insert(passes.begin(), {PassKind::kClear, "clear", "clear", -1});
         return;
     }
-    for (PassPlan& pass : passes) pass.first = pass.layer == first->layer;
-}
-
-/// Where no layer of fibres is culled in two phases, the request as it is resolved does not say so.
-void noteCulling(FramePlan& plan) {
-    const auto is = [](model::FibletCulling culling) {
-        return [culling](const std::optional<FibletPlan>& fiblets) { return fiblets && fiblets->culling == culling; };
-    };
-    if (std::ranges::any_of(plan.fiblets, is(model::FibletCulling::kFrustum)) &&
-        std::ranges::none_of(plan.fiblets, is(model::FibletCulling::kTwoPhase))) {
-        plan.resolved.quality.fiblet_culling = model::FibletCulling::kFrustum;
-    }
+    const int layer = first->layer;
+    for (PassPlan& pass : passes) pass.first = pass.peeled || pass.layer == layer;
 }
 
 /// Ends of a colour map that the request leaves open.
@@ -258,9 +250,9 @@ FramePlan planFrame(const model::FrameRequest& request, const std::vector<LayerF
         }
         plan.glyphs.push_back(std::move(glyphs));
     }
-    noteCulling(plan);
+    resolveCulling(layers, plan);
+    findPeeled(plan);
     markFirst(plan.passes);
-    planVeil(plan);
     planPeels(plan);
     resolveMethod(plan.resolved.quality, plan.uses_pole_table);
     planVisibility(plan, layers, abilities, table_use.rays_per_glyph);

@@ -83,10 +83,10 @@ enum class PassKind {
     kRasterSurface,    ///< what was drawn, into the surface buffer
     kFiblets,          ///< culls, draws and hands on a layer of fibres
     kClear,            ///< an empty surface buffer, where no pass writes all of it
-    kFibletPeels,      ///< a transparent layer of fibres, segment by segment from the front, over the surface buffer
+    kPeels,            ///< all transparent layers, from the front, over the surface buffer
     kIsosurfaceTrace,  ///< first hits of an opaque isosurface
     kIsosurfaceMesh,   ///< the same by its triangles
-    kIsosurfaceVeil,   ///< all transparent isosurfaces, over the surface buffer
+    kIsosurfaceVeil,   ///< all transparent isosurfaces where nothing else is, over the surface buffer
     kIllumination,     ///< global light of an isosurface, and the texels that it lacks
     kPixelPaths,       ///< global light of an isosurface by paths from its pixels
     kSunTable,
@@ -100,10 +100,11 @@ enum class PassKind {
 /// One pass, in order of execution.
 struct PassPlan {
     PassKind kind;
-    std::string name;    ///< "glyph table 0", "glyph trace 0", "uncertainty 0", "sun table 0", "shadow 0", "light", "resolve"
-    std::string shader;  ///< module
-    int layer = -1;      ///< of passes that draw or light one layer
-    bool first = false;  ///< of the layer that writes the surface buffer first: every pixel of it, and reads none
+    std::string name;     ///< "glyph table 0", "glyph trace 0", "uncertainty 0", "sun table 0", "shadow 0", "light", "resolve"
+    std::string shader;   ///< module
+    int layer = -1;       ///< of passes that draw or light one layer
+    bool first = false;   ///< of the layer that writes the surface buffer first: every pixel of it, and reads none
+    bool peeled = false;  ///< writes a surface buffer of its own, for kPeels
 };
 
 struct FramePlan {
@@ -121,12 +122,13 @@ struct FramePlan {
     std::uint32_t paged_layers = 0;                     ///< bit of each layer of fibres that is not all on the device
     std::uint32_t fibre_colours = 0;                    ///< bit 1 << model::FibreColourMode for each that some layer has
     std::uint32_t surface_looks = 0;                    ///< shader::SURFACE_LOOKS_...: what some isosurface has of its own
+    std::uint32_t peeled_layers = 0;                    ///< bit 1 << index of each that kPeels composes
     std::string traversal_reason;
     std::string pole_table_reason;
     bool uses_pole_table = false;
 
     bool usesPeels() const {
-        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kFibletPeels; });
+        return std::ranges::any_of(passes, [](const PassPlan& pass) { return pass.kind == PassKind::kPeels; });
     }
     bool usesVeil() const {
         return usesPeels() ||

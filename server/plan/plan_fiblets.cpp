@@ -86,17 +86,14 @@ void checkPaged(const FibletPlan& fiblets, const model::Quality& quality, const 
 constexpr double kHidingSegments = 20;
 constexpr double kHidingPixels = 300'000;
 
-/// What is drawn of a layer.
-model::FibletCulling chooseCulling(const LayerFacts& facts, const model::FrameRequest& request) {
-    const model::Quality& quality = request.quality;
-    if (quality.fiblet_culling != model::FibletCulling::kTwoPhase || quality.frozen_culling ||
-        quality.fiblet_pipeline != model::FibletPipeline::kAtomic || facts.paged) {
-        return quality.fiblet_culling;
+/// Whether looking for what is hidden pays for a layer.
+bool hidingPays(const LayerFacts& facts, const model::FrameRequest& request) {
+    if (request.quality.frozen_culling || request.quality.fiblet_pipeline != model::FibletPipeline::kAtomic || facts.paged) {
+        return true;
     }
     const double segments = static_cast<double>(facts.fiblets) * shader::FIBLET_SEGMENTS;
     const double pixels = static_cast<double>(request.width) * static_cast<double>(request.height);
-    const bool pays = pixels <= kHidingPixels || segments >= kHidingSegments * pixels;
-    return pays ? model::FibletCulling::kTwoPhase : model::FibletCulling::kFrustum;
+    return pixels <= kHidingPixels || segments >= kHidingSegments * pixels;
 }
 
 /// The module that draws.
@@ -125,33 +122,31 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     plan.fibre_halos = plan.fibre_halos || layer.halo_px.has_value();
     FibletPlan fiblets;
     model::Quality& quality = plan.resolved.quality;
+    const bool transparent = plan.resolved.scene.layers[index].opacity < 1;
+    const bool by_depths = std::ranges::any_of(layer.region_cuts, &model::FibreRegionCut::by_depths);
     quality.fiblet_pipeline =
         choosePipeline(quality.fiblet_pipeline, abilities, layer.line_width_px, layer.tube_radius_mm.has_value(),
-                       layer.exact_width                               ? "exact_width"
-                       : plan.resolved.scene.layers[index].opacity < 1 ? "an opacity below 1"
-                                                                       : "",
+                       layer.exact_width ? "exact_width"
+                       : transparent     ? "an opacity below 1"
+                       : by_depths       ? "a cut by depths"
+                                         : "",
                        "scene.layers[" + std::to_string(index) + "].tractogram");
     if (model::drawsUncompressed(quality.fiblet_pipeline)) quality.fiblet_culling = model::FibletCulling::kNone;
     fiblets.pipeline = quality.fiblet_pipeline;
     fiblets.mesh_subgroups = abilities.mesh_subgroups;
-    fiblets.culling = chooseCulling(facts, plan.resolved);
+    fiblets.culling = quality.fiblet_culling;
     fiblets.tubes = layer.tube_radius_mm.has_value();
     fiblets.selected_only = fiblets.tubes && layer.selected.has_value();
     fiblets.lines = !fiblets.tubes || fiblets.selected_only;
     fiblets.states = layer.selected.has_value() || !layer.shown.isAll() || !layer.criteria.empty();
     fiblets.segments = facts.segments_filtered;
     fiblets.exact_width = layer.exact_width && fiblets.lines;
+    fiblets.mesh_cut = by_depths;
+    fiblets.mesh_outside = std::ranges::any_of(layer.region_cuts, [](const auto& cut) { return cut.by_depths && cut.outside; });
     fiblets.dimmed = layer.selected.has_value() && layer.unselected == model::UnselectedFibres::kDimmed;
     fiblets.cuts = static_cast<std::uint32_t>(layer.cuts.size());
     fiblets.line_width_px = layer.line_width_px;
     fiblets.tube_radius_mm = layer.tube_radius_mm.value_or(0);
-    const bool transparent = plan.resolved.scene.layers[index].opacity < 1;
-    if (fiblets.pipeline != model::FibletPipeline::kAtomic && (fiblets.segments || fiblets.exact_width || transparent)) {
-        throw Error(Code::kUnsupported, "scene.layers[" + std::to_string(index) +
-                                            "] is transparent, has exact_width or shows single segments of fibres, which the "
-                                            "fiblet pipeline atomic draws and " +
-                                            std::string(model::pipelineName(fiblets.pipeline)) + " does not");
-    }
     // The others draw every segment.
     if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
         fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);
@@ -162,32 +157,26 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
         checkPaged(fiblets, quality, "scene.layers[" + std::to_string(index) + "].tractogram");
     }
     plan.fiblets[index] = fiblets;
-    // What is transparent hides nothing of its own.
-    if (plan.resolved.scene.layers[index].opacity < 1) {
-        if (fiblets.culling == model::FibletCulling::kTwoPhase) plan.fiblets[index]->culling = model::FibletCulling::kFrustum;
-        return;
-    }
+    // Peeled with the scene's other transparent layers.
+    if (transparent) return;
     const std::string suffix = plan.fiblets.size() > 1 ? " " + std::to_string(index) : "";
     plan.passes.push_back(
         {PassKind::kFiblets, "fiblet raster" + suffix, fibletShader(fiblets.pipeline), static_cast<int>(index)});
 }
 
-void planPeels(FramePlan& plan) {
-    const std::vector<model::Layer>& layers = plan.resolved.scene.layers;
-    const bool veil = plan.usesVeil();
+void resolveCulling(const std::vector<LayerFacts>& layers, FramePlan& plan) {
+    using Culling = model::FibletCulling;
+    Culling& culling = plan.resolved.quality.fiblet_culling;
+    const auto hides = [&](std::size_t i) { return plan.fiblets[i] && plan.resolved.scene.layers[i].opacity >= 1; };
+    bool fibres = false, pays = false;
     for (std::size_t i = 0; i < layers.size(); ++i) {
-        if (!layers[i].ifTracts() || layers[i].opacity >= 1) continue;
-        const std::string where = "scene.layers[" + std::to_string(i) + "].opacity is below 1; ";
-        if (veil || plan.usesPeels()) {
-            throw Error(Code::kUnsupported, where +
-                                                "one layer of fibres of a scene can be transparent, and none beside a "
-                                                "transparent isosurface");
-        }
-        if (plan.resolved.quality.frozen_culling) {
-            throw Error(Code::kUnsupported, where + "quality.frozen_culling shows what opaque fibres hide, so draw without it");
-        }
-        const std::string suffix = layers.size() > 1 ? " " + std::to_string(i) : "";
-        plan.passes.push_back({PassKind::kFibletPeels, "fiblet peel" + suffix, "fiblet_raster", static_cast<int>(i)});
+        fibres = fibres || plan.fiblets[i];
+        pays = pays || (hides(i) && hidingPays(layers[i], plan.resolved));
+    }
+    if (fibres && culling == Culling::kAuto) culling = pays ? Culling::kTwoPhase : Culling::kFrustum;
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        if (!plan.fiblets[i]) continue;
+        plan.fiblets[i]->culling = culling == Culling::kTwoPhase && !hides(i) ? Culling::kFrustum : culling;
     }
 }
 

@@ -23,6 +23,8 @@ struct FibletPlan {
     bool segments = false;       ///< single segments are left out
     bool exact_width = false;    ///< lines have their width across
     bool paged = false;          ///< not all fiblets are on the device
+    bool mesh_cut = false;       ///< what is shown lies between the faces of a mesh, or does not:
+    bool mesh_outside = false;
     std::uint32_t cuts = 0;
     int line_width_px = 1;
     float tube_radius_mm = 0;
@@ -33,8 +35,9 @@ struct FibletPlan {
 /// \throws Error(kUnsupported) for a pipeline that the device lacks, saying what it lacks
 void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& abilities, FramePlan& plan);
 
-/// Adds the pass of a transparent layer, after all that write the surface buffer.
-/// \throws Error(kUnsupported) for a second one, one beside transparent isosurfaces, and one with frozen culling
-void planPeels(FramePlan& plan);
+/// Fills in which culling is meant where the request leaves it open: one for the frame, two phases if they pay for any layer,
+/// so that the request as it is resolved plans to the same passes again. What is asked for by name is done. After
+/// planFiblets().
+void resolveCulling(const std::vector<LayerFacts>& layers, FramePlan& plan);
 
 }  // namespace radiata::plan

@@ -56,9 +56,4 @@ void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts,
         {PassKind::kIsosurfaceTrace, "isosurface trace" + suffix, "isosurface_trace", static_cast<int>(index)});
 }
 
-void planVeil(FramePlan& plan) {
-    if (std::ranges::none_of(plan.resolved.scene.layers, isVeil)) return;
-    plan.passes.push_back({PassKind::kIsosurfaceVeil, "isosurface veil", "isosurface_veil", -1});
-}
-
 }  // namespace radiata::plan

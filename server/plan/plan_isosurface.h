@@ -12,9 +12,6 @@ namespace radiata::plan {
 /// triangles where none are drawn
 void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts, const Abilities& abilities);
 
-/// Adds the one pass of all transparent isosurfaces, if there are any; after everything that writes the surface buffer.
-void planVeil(FramePlan& plan);
-
 /// Whether the layer is composited over what is opaque instead of standing in the surface buffer.
 bool isVeil(const model::Layer& layer);
 

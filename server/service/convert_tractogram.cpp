@@ -135,7 +135,9 @@ model::TractogramLayer fromProto(const v1::TractogramLayer& layer, const std::st
     if (layer.has_halo_px()) result.halo_px = layer.halo_px();
     for (const v1::FibreCut& cut : layer.cuts()) result.cuts.push_back({vectorOf(cut.point_mm()), vectorOf(cut.normal())});
     result.exact_width = layer.exact_width();
-    for (const v1::FibreRegionCut& cut : layer.region_cuts()) result.region_cuts.push_back({cut.region(), cut.outside()});
+    for (const v1::FibreRegionCut& cut : layer.region_cuts()) {
+        result.region_cuts.push_back({cut.region(), cut.outside(), cut.by_depths()});
+    }
     for (const v1::FibreCriterion& criterion : layer.criteria()) {
         result.criteria.push_back({criterion.column(), criterion.low(), criterion.high()});
     }
@@ -163,6 +165,7 @@ v1::TractogramLayer toProto(const model::TractogramLayer& layer) {
         v1::FibreRegionCut* added = message.add_region_cuts();
         added->set_region(cut.region);
         added->set_outside(cut.outside);
+        added->set_by_depths(cut.by_depths);
     }
     for (const model::FibreCriterion& criterion : layer.criteria) {
         v1::FibreCriterion* added = message.add_criteria();
@@ -182,31 +185,8 @@ model::FibletPipeline pipelineOf(v1::FibletPipeline pipeline) { return static_ca
 v1::FibletPipeline pipelineOf(model::FibletPipeline pipeline) { return static_cast<v1::FibletPipeline>(pipeline); }
 static_assert(static_cast<int>(model::FibletPipeline::kPoints) == v1::FIBLET_PIPELINE_POINTS);
 
-model::FibletCulling cullingOf(v1::FibletCulling culling) {
-    switch (culling) {
-        case v1::FIBLET_CULLING_FRUSTUM:
-            return model::FibletCulling::kFrustum;
-        case v1::FIBLET_CULLING_NONE:
-            return model::FibletCulling::kNone;
-        case v1::FIBLET_CULLING_COVERAGE:
-            return model::FibletCulling::kCoverage;
-        default:
-            return model::FibletCulling::kTwoPhase;
-    }
-}
-
-v1::FibletCulling cullingOf(model::FibletCulling culling) {
-    switch (culling) {
-        case model::FibletCulling::kFrustum:
-            return v1::FIBLET_CULLING_FRUSTUM;
-        case model::FibletCulling::kNone:
-            return v1::FIBLET_CULLING_NONE;
-        case model::FibletCulling::kCoverage:
-            return v1::FIBLET_CULLING_COVERAGE;
-        case model::FibletCulling::kTwoPhase:
-            break;
-    }
-    return v1::FIBLET_CULLING_TWO_PHASE;
-}
+model::FibletCulling cullingOf(v1::FibletCulling culling) { return static_cast<model::FibletCulling>(culling); }
+v1::FibletCulling cullingOf(model::FibletCulling culling) { return static_cast<v1::FibletCulling>(culling); }
+static_assert(static_cast<int>(model::FibletCulling::kCoverage) == v1::FIBLET_CULLING_COVERAGE);
 
 }  // namespace radiata::service

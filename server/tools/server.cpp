@@ -56,6 +56,10 @@ void startDevice(Engine& engine, const ProgramOptions& options) {
     std::string traversals;
     for (const std::string& traversal : engine.backend.traversals) traversals += " " + traversal;
     spdlog::info("traversals that passed the self-test:{}", traversals);
+    if (!options.test_pipelines) return;
+    std::string pipelines;
+    for (const std::string& pipeline : engine.renderer->testFibrePipelines()) pipelines += " " + pipeline;
+    spdlog::info("fiblet pipelines that passed it:{}", pipelines);
 }
 
 /// Requests that leave the traversal open get the one of the flag.

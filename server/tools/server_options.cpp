@@ -71,6 +71,8 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
     app.add_flag("--validation", options.device.validation, "Vulkan validation layers, with synchronisation validation");
     app.add_option("--traversal", texts.traversal, "Way of finding glyphs for requests that leave it open")
         ->check(CLI::IsMember({"auto", "ray_query", "bvh", "tiles", "raster_boxes"}));
+    app.add_flag("--test-pipelines", options.test_pipelines,
+                 "Test all ways to draw fibres at the start and say which work; else each is tested before its first use");
     app.add_option("--sh-convention", texts.convention,
                    "How to read SH images: descoteaux07, descoteaux07_legacy, tournier07, mrtrix0.2");
     app.add_option("--sh-axes", texts.axes, "Axes of the directions in SH images: world, voxel");

@@ -26,6 +26,7 @@ struct ProgramOptions {
     model::Traversal traversal = model::Traversal::kAuto;  ///< for requests that leave it open
     std::optional<int> stub_render_ms;
     bool list_devices = false;
+    bool test_pipelines = false;
     std::string log_level = "info";
 };
 

@@ -13,17 +13,19 @@ layout(buffer_reference, scalar) readonly buffer SurfaceBuffer { Surface at[]; }
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
     SurfaceBuffer surface;
+    SurfaceBuffer opaque;  // the same, but for transparent layers, which begin from what others have found
 } push;
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
     const uint at = globalInvocation();
     if (at >= uint(layer.view.width * layer.view.height)) return;
-    const float depth = push.surface.at[at].depth / pixelStretch(layer.view, at);
+    const float stretch = pixelStretch(layer.view, at);
+    const float depth = min(push.surface.at[at].depth, push.opaque.at[at].depth) / stretch;
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | FIBLET_NOBODY;
     WordBuffer(layer.words).at[at] = word;
     if (kCounting) {
-        WordBuffer(layer.peeled).at[at] = word;
+        WordBuffer(layer.peeled).at[at] = uint64_t(orderOfDepth(push.opaque.at[at].depth / stretch)) << 32 | FIBLET_NOBODY;
         UintBuffer(layer.fragments).at[at] = 0u;
     }
 }

@@ -29,7 +29,9 @@ layout(constant_id = 11) const bool kFinding = false;     // fibres in an outlin
 layout(constant_id = 6) const bool kSelectedOnly = false;  // tubes of selected fibres; false: of all
 layout(constant_id = 12) const uint kDetail = 0u;        // segments that may become one line; 0: none do
 layout(constant_id = 13) const bool kSmallAsLines = false;  // fiblets of a few pixels are lines from end to end
-layout(constant_id = 14) const bool kPaged = false;  // some of the fiblets are on the device
+layout(constant_id = 14) const bool kMeshCut = false;      // by the depths of a mesh's faces
+layout(constant_id = 15) const bool kMeshOutside = false;  // what is not between them is shown; else what is
+layout(constant_id = 16) const bool kPaged = false;  // some of the fiblets are on the device
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -39,13 +41,19 @@ layout(push_constant, scalar) uniform Push {
 
 FibletView view;
 WordBuffer words, tangents, peeled;
-UintBuffer fragments, inside, found;
+UintBuffer fragments, inside, found, cut_front, cut_back;
 uint fibre;
 uint64_t shown = 0ul;  // bit i: segment i is
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal) {
+    if (kMeshCut) {
+        const uint order = orderOfDepth(depth), front = cut_front.at[pixel];
+        // From inside of the mesh no front face is seen.
+        const bool between = (front == FIBLET_NOBODY || front <= order) && order <= cut_back.at[pixel];
+        if (between == kMeshOutside) return;
+    }
     if (kFinding) {
         const bool counts = (inside.at[pixel >> 5u] >> (pixel & 31u) & 1u) != 0u;
         if (counts && (found.at[fibre >> 5u] >> (fibre & 31u) & 1u) == 0u) atomicOr(found.at[fibre >> 5u], 1u << (fibre & 31u));
@@ -273,6 +281,10 @@ void main() {
     tangents = WordBuffer(layer.tangents);
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
     if (kCounting) fragments = UintBuffer(layer.fragments);
+    if (kMeshCut) {
+        cut_front = UintBuffer(layer.cut_front);
+        cut_back = UintBuffer(layer.cut_back);
+    }
     FibletWalk walk;
     if (kPaged) {
         const FibletPlace place = PlaceBuffer(layer.places).at[fiblet / FIBLET_PAGE];

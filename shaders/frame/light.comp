@@ -15,10 +15,10 @@
 
 layout(constant_id = 1) const bool kFirstSample = true;
 layout(constant_id = 4) const uint kLayerKinds = 1u;   // the code of other kinds is not compiled
-layout(constant_id = 6) const bool kVeil = false;       // transparent isosurfaces stand before everything
+layout(constant_id = 6) const bool kVeil = false;       // transparent layers stand before everything
 layout(constant_id = 9) const bool kGlobalLight = false;  // isosurfaces are lit by texels
-layout(constant_id = 11) const bool kPeel = false;  // the surface is a segment of a transparent layer of fibres, for the veil
-layout(constant_id = 12) const bool kTail = false;  // and stands for all that are behind it, which were counted
+layout(constant_id = 11) const bool kPeel = false;  // the surface is what was found nearest of transparent layers, for the veil
+layout(constant_id = 12) const bool kTail = false;  // and stands for all that is behind it, which was counted
 layout(constant_id = 13) const bool kPicture = false;   // the only sample: 8-bit sRGB is written at once, and no sum
 layout(constant_id = 14) const bool kOneLayer = false;  // of the scene
 layout(constant_id = 3) const bool kMedia = false;  // some layer shows its uncertainty
@@ -37,7 +37,7 @@ layout(buffer_reference, scalar) buffer VeilBuffer { vec4 at[]; };  // radiance,
 layout(buffer_reference, scalar) readonly buffer GlobalLightBuffer { vec3 at[]; };  // of a white surface; below 0: not known
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
 
-#include "shaders/frame/fibre_peel.glsl"
+#include "shaders/frame/peel.glsl"
 
 layout(push_constant, scalar) uniform Push {
     FrameBuffer frame;
@@ -50,7 +50,7 @@ layout(push_constant, scalar) uniform Push {
     VeilBuffer veil;     // not read without kVeil
     GlobalLightBuffer global_light;  // not read without kGlobalLight
     SurfaceLookBuffer surface_looks;  // not read without kSurfaceLooks
-    FibletLayerBuffer peel;          // not read without kPeel
+    PeelBuffer peel;                 // not read without kPeel
     PictureBuffer picture;           // not written without kPicture
 } push;
 
@@ -85,7 +85,10 @@ void main() {
     if (kOneLayer) look = push.looks.at[0];
     const Surface surface = push.surface.at[at];
     if (globalInvocation() >= pixels) return;
-    if (kPeel && kFirstSample) push.veil.at[at] = vec4(0.0, 0.0, 0.0, 1.0);
+    if (kPeel && kFirstSample) {
+        push.veil.at[at] = vec4(0.0, 0.0, 0.0, 1.0);
+        beginPeels(push.peel, at);
+    }
     if (kPeel && surface.who == 0xffffffffu) return;
     vec3 radiance = frame.background;
     if (surface.who != 0xffffffffu) {
@@ -122,11 +125,12 @@ void main() {
             }
         }
         if (kPeel) {
-            const bool first = kFirstSample || !sameStretch(push.peel.layer, at, surface.who, line);
-            push.veil.at[at] = peeled(push.peel.layer, push.veil.at[at], at, min(dimmed * lit, vec3(1.0)), look.opacity, first, kTail);
+            const bool counts = takePeel(push.peel, at, surface, line);
+            const vec3 shown = min(dimmed * lit, vec3(1.0));
+            push.veil.at[at] = peeled(push.peel, push.looks, push.veil.at[at], at, shown, look.opacity, counts, kTail);
             return;
         }
-        // Transparent fibres are part of the veil.
+        // Transparent fibres are part of the veil; glyphs are, unless they are all there is.
         radiance = isKind(look, LAYER_TRACTS) ? dimmed * lit : mix(radiance, dimmed * lit, look.opacity);
     }
     if (kMedia) {

@@ -67,8 +67,9 @@ void main() {
         }
         if (kSettled) lacking = lacking || (shown.x & TEXEL_SHOWN_DONE) == 0u;
         if (kProjected) {
-            const float agreement = max(dot(normal, shownNormal(shown)), 0.0);
-            weight *= agreement * agreement + 1e-3;
+            // The other side of a fold has another light altogether: the eighth power of the cosine.
+            const float agreement = max(dot(normal, shownNormal(shown)), 0.0), squared = agreement * agreement;
+            weight *= squared * squared * squared * squared + 1e-3;
         }
         sum += weight * shownRadiance(shown);
         total += weight;

@@ -11,6 +11,8 @@
 
 const float kPi = 3.14159265;
 const uint kBouncesMax = 4u;
+// How far from its place a texel is lit on the shown surface, voxels.
+const float kReach = 2.0;
 
 struct SurfacePoint {
     GridPoint place;
@@ -34,24 +36,17 @@ bool texelSurface(LatticeParams lattice, ivec3 texel, out SurfacePoint point) {
     point.normal = outwardNormal(volume, point.place);
     if (point.normal == vec3(0.0) || point.isovalue < -0.5 * VOLUME_NO_VALUE) return false;
     if (lattice.projected == 0u) return true;
-    // Along the smoothed gradient, two voxels at most; what does not meet the surface there stays on its own level set.
+    // To where a ray along the smoothed gradient meets the shown surface. Newton steps with the smoothed slope do not get there: trilinear
+    // values change faster than that, several times where two tissues meet within a voxel. What is beyond reach stays on its own level set.
     const vec3 gradient = splineGradient(volume, cell, point.place.at);
-    const vec3 along = gradient / max(dot(gradient, gradient), 1e-30);  // a change of value by one
-    const float scale = inversesqrt(max(dot(along, along), 1e-30));     // values per voxel
-    float change = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        const GridPoint at = gridPoint(volume, cell, point.place.at + change * along);
-        const float level = levelAt(volume, at, lattice.isovalue);
-        if (abs(level) < 0.005 * scale) {
-            point.place = at;
-            point.isovalue = lattice.isovalue;
-            point.normal = outwardNormal(volume, at);
-            return point.normal != vec3(0.0);
-        }
-        change -= clamp(level, -scale, scale);
-        if (abs(change) > 2.0 * scale) break;
-    }
-    return true;
+    const float towards = levelAt(volume, point.place, lattice.isovalue) < 0.0 ? 1.0 : -1.0;
+    const GridRay ray = GridRay(cell, point.place.at, towards * gradient * inversesqrt(max(dot(gradient, gradient), 1e-36)));
+    const VolumeHit hit = traceVolume(volume, ray, lattice.isovalue, 0.0, kReach * max(lattice.voxels_per_texel, 1.0), true);
+    if (hit.t >= VOLUME_MISS) return true;
+    point.place = GridPoint(hit.cell, hit.at);
+    point.isovalue = lattice.isovalue;
+    point.normal = outwardNormal(volume, point.place);
+    return point.normal != vec3(0.0);
 }
 
 // \param sums  of a lattice with transfer: the payload, to which the path's harmonics are added

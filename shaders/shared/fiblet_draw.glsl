@@ -64,7 +64,7 @@ struct FibletLayerParams {
     uint64_t boxes;       // FibletBox[fiblets]
     uint64_t states;      // FIBRE_SHOWN, ... of each fibre, four bytes to a word; 0: all are shown
     uint64_t segments;    // uint64_t[fiblets]: bit i says that segment i is shown; 0: all are
-    uint64_t peeled;      // uint64_t[pixels]: of transparent layers, the word that was composed last; before the first, what is opaque
+    uint64_t peeled;      // uint64_t[pixels]: of transparent layers, the word that was composed last; 0: none; while counted, what is opaque
     uint64_t fragments;   // uint[pixels]: of transparent layers while moving, segments before what is opaque
     uint64_t inside;      // one bit per pixel: it counts for what is found
     uint64_t found;       // one bit per fibre: it is drawn through such a pixel
@@ -83,8 +83,10 @@ struct FibletLayerParams {
     float detail_px;  // pixels that lines may be off
     float end_slack;  // mm that a fiblet's end may be from the start of the next
     uint64_t places;  // FibletPlaces of a tractogram beyond the memory budget; 0: all of it lies in its own order
+    uint64_t cut_front;  // uint[pixels]: order of depths of the cutting mesh's nearest front face; FIBLET_NOBODY: none
+    uint64_t cut_back;   // uint[pixels]: of its farthest back face; 0: none
 };
-STATIC_SIZE(FibletLayerParams, 456);
+STATIC_SIZE(FibletLayerParams, 472);
 
 // Where the fiblets of a page lie that are in device memory, of a tractogram beyond the memory budget: all, or those of the subset.
 struct FibletPlace {

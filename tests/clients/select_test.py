@@ -74,8 +74,9 @@ class SelectTest(unittest.TestCase):
         self.assertEqual(self.count("all mesh(left)"), self.count("all plane(0, 0, 0, 1, 0, 0)"))
         picture = ["--tracts", "bundles", "--size", "64x48", "--samples", 1, "--no-annotations"]
         seen = {}
-        for name, flags in {"all": [], "left": ["--cut-inside", "mesh(left)"], "right": ["--cut-outside", "mesh(left)"],
-                            "one": ["--show", "fibres(3)"]}.items():
+        for name, flags in {"all": ["--fiblet-culling", "auto"], "left": ["--cut-inside", "mesh(left)"],
+                            "right": ["--cut-outside", "mesh(left)", "--fiblet-culling", "two-phase"],
+                            "depths": ["--cut-outside", "mesh(left)", "--cut-by-depths"], "one": ["--show", "fibres(3)"]}.items():
             lasso = self.radiata("lasso", *picture, *flags, "--outline", "0,0,64,48", "--list").stdout.split()
             seen[name] = {int(fibre) for fibre in lasso}
             through = self.radiata("lasso", *picture, *flags, "--outline", "0,0,64,48", "--through", "--json").stdout
@@ -83,6 +84,8 @@ class SelectTest(unittest.TestCase):
         self.assertEqual(seen["one"], {3})
         self.assertGreater(len(seen["all"]), 30)
         self.assertTrue(seen["left"] and seen["right"])
+        # A box is convex, so they differ by segments that cross its faces only.
+        self.assertLess(5 * len(seen["depths"] ^ seen["right"]), len(seen["right"]), seen)
         looks = ["--fibre-colour", "point", "--fibre-column", "along", "--criterion", "along,0.2,0.9", "--select", "group(cst_left)",
                  "--fibre-opacity", 0.5, "--fxaa", "--exact-width", "-o", self.folder / "look.png"]
         groups = [entry["name"] for entry in json.loads(self.radiata("info", "bundles", "--json").stdout)["fibre_groups"]]
@@ -92,6 +95,7 @@ class SelectTest(unittest.TestCase):
         distance = ["--fibre-colour", "distance", "--fibre-near", "mesh(left)", "-o", self.folder / "far.png"]
         self.radiata("render", *picture, *distance)
         for flags, words in ((["--cut-inside", "mesh(brain)"], "mesh"), (["--criterion", "along,1,0"], "at most"),
+                             (["--cut-inside", "sphere(0, 0, 0, 9)", "--cut-by-depths"], "instead of mesh"),
                              (["--fibre-colour", "ends", "--show", "sphere(1)"], "character")):
             done = self.radiata("render", *picture, *flags, "-o", self.folder / "no.png", check=False)
             self.assertEqual(done.returncode, 4, done.stderr)

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <set>
 
+#include "build/sphere_mesh.h"
 #include "image/fibre_scenes.h"
 #include "image/fixture.h"
 #include "reference/colour_map.h"
@@ -92,15 +93,90 @@ TEST_F(FibreFilters, CutByRegions) {
     EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
     request.quality.fiblet_culling = model::FibletCulling::kNone;
     EXPECT_EQ(draw(request).pixels.id, by_box.pixels.id);
-    // What cannot cut segment by segment says so.
-    request.quality.fiblet_pipeline = model::FibletPipeline::kPoints;
-    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kUnsupported);
+    // Other pipelines cut alike.
+    for (const auto pipeline : {model::FibletPipeline::kPull, model::FibletPipeline::kMesh, model::FibletPipeline::kPoints}) {
+        request.quality.fiblet_pipeline = pipeline;
+        const int seen = forSeen([&](std::size_t, const reference::FibreSegment& s, const auto&) {
+            const glm::dvec3 p = middle(s);
+            ASSERT_LT(p.z, 1e-3) << model::pipelineName(pipeline);
+            ASSERT_GT(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}), 5.999) << model::pipelineName(pipeline);
+        });
+        EXPECT_GT(seen, 200) << model::pipelineName(pipeline);
+    }
     request.quality.fiblet_pipeline = model::FibletPipeline::kAuto;
     layer().region_cuts[0].region = "mesh(nobody)";
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kNotFound);
     layer().region_cuts[0].region = "mesh(fibres)";
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
     layer().region_cuts[0].region = "length(1, 2)";
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+}
+
+/// A mesh's nearest front and farthest back face cut as its inside does if it is convex: where pictures differ, one of them
+/// shows a point within half a segment and a pixel of the surface. If it is concave, many pixels differ elsewhere.
+TEST_F(FibreFilters, CutByDepthsFailsWhereMeshesAreConcave) {
+    const SphereTriangles ball = sphereMesh(model::SphereMesh::kIcosphere, 4);
+    model::TriangleMesh sphere, ring;
+    for (const glm::vec3& d : ball.directions) sphere.points.push_back(7.0F * d);
+    for (std::size_t i = 0; i < ball.triangles.size(); i += 3)  // inside out, which is nothing to it
+        sphere.triangles.emplace_back(ball.triangles[i + 1], ball.triangles[i], ball.triangles[i + 2]);
+    constexpr std::uint32_t kAround = 64, kAcross = 32;
+    for (std::uint32_t i = 0; i < kAround * kAcross; ++i) {
+        const double a = 2 * M_PI * (i / kAcross) / kAround, b = 2 * M_PI * (i % kAcross) / kAcross;
+        ring.points.emplace_back((9 + 3 * std::cos(b)) * std::cos(a), (9 + 3 * std::cos(b)) * std::sin(a), 3 * std::sin(b));
+        const auto at = [&](std::uint32_t u, std::uint32_t v) {
+            return (i / kAcross + u) % kAround * kAcross + (i % kAcross + v) % kAcross;
+        };
+        ring.triangles.emplace_back(at(0, 0), at(1, 0), at(1, 1));
+        ring.triangles.emplace_back(at(0, 0), at(1, 1), at(0, 1));
+    }
+    store.add("sphere", sphere);
+    store.add("ring", ring);
+    store.add("many", randomTractogram(43, 150, 120, 0.4, 8));
+    layer().dataset_id = "many";
+    request.camera.eye_mm = {50, 10, 7};
+    request.camera.height_mm = 26;
+    const auto fromSphere = [](const glm::dvec3& p) { return std::abs(glm::length(p) - 7); };
+    const auto fromRing = [](const glm::dvec3& p) { return std::abs(std::hypot(std::hypot(p.x, p.y) - 9, p.z) - 3); };
+    // Pixels that differ, and those of them where neither picture shows a point at the surface.
+    const auto differences = [&](const std::string& region, bool outside, auto&& distance) {
+        layer().region_cuts = {{region, outside, false}};
+        const model::Frame right = draw(request);
+        layer().region_cuts[0].by_depths = true;
+        const model::Frame cut = draw(request);
+        EXPECT_GT(cut.info.hit_pixels, 300);
+        int differ = 0, faulty = 0;
+        for (std::size_t at = 0; at < right.pixels.depth.size(); ++at) {
+            const auto same = [&](std::size_t c) { return right.pixels.id[4 * at + c] == cut.pixels.id[4 * at + c]; };
+            if (same(0) && same(1) && same(2)) continue;
+            ++differ;
+            double nearest = 1e300;
+            for (const model::Frame* frame : {&right, &cut}) {
+                if (frame->pixels.id[4 * at] < 0) continue;
+                const float* p = &frame->pixels.position[3 * at];
+                nearest = std::min(nearest, distance(frame->info.position_origin_mm + glm::dvec3(p[0], p[1], p[2])));
+            }
+            faulty += nearest > 0.5;
+        }
+        std::printf("%s, %s: %d pixels differ, %d of them faulty\n", region.c_str(), outside ? "outside" : "inside", differ,
+                    faulty);
+        return faulty;
+    };
+    for (const bool perspective : {false, true}) {
+        request.camera.perspective = perspective;
+        for (const bool outside : {false, true}) EXPECT_EQ(differences("mesh(sphere)", outside, fromSphere), 0);
+        for (const bool outside : {false, true}) EXPECT_GT(differences("mesh(ring)", outside, fromRing), 100);
+    }
+    // Culled and not, the same; and other pipelines refuse.
+    const model::Frame culled = draw(request);
+    request.quality.fiblet_culling = model::FibletCulling::kNone;
+    EXPECT_EQ(draw(request).pixels.id, culled.pixels.id);
+    request.quality.fiblet_pipeline = model::FibletPipeline::kPoints;
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kUnsupported);
+    request.quality.fiblet_pipeline = model::FibletPipeline::kAuto;
+    layer().region_cuts = {{"sphere(0, 0, 0, 5)", false, true}};
+    EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
+    layer().region_cuts = {{"mesh(ring)", false, true}, {"mesh(sphere)", false, true}};
     EXPECT_EQ(codeOf([&] { draw(request); }), Code::kInvalidArgument);
 }
 

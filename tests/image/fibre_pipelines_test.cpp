@@ -112,6 +112,15 @@ TEST_F(FibrePipelines, DoNotDependOnCulling) {
     }
 }
 
+/// The known lattice, by each; what was tested is not tested again.
+TEST_F(FibrePipelines, PassTheirSelfTest) {
+    const std::vector<std::string> all{"atomic", "pull", "mesh", "mesh-serial", "geometry", "tessellation", "lines", "points"};
+    EXPECT_EQ(renderer.testFibrePipelines(), all);
+    const std::size_t made = renderer.pipelineCount();
+    EXPECT_EQ(renderer.testFibrePipelines(), all);
+    EXPECT_EQ(renderer.pipelineCount(), made);
+}
+
 /// Picks answer with what the picture shows, by its own pipeline.
 TEST_F(FibrePipelines, ArePickedWhereTheyAreSeen) {
     store.add("fibres", randomTractogram(12, 30, 150, 0.4, 12));

@@ -36,6 +36,17 @@ TEST(Echo, IsTheRequestWithEachMethodWhateverIsSet) {
     }
 }
 
+/// Each culling by its name. Where it is left open, it is still open, until a frame says what was chosen.
+TEST(Echo, KeepsCullingAsItWasAsked) {
+    const google::protobuf::EnumDescriptor* all = v1::FibletCulling_descriptor();
+    for (int i = 0; i < all->value_count(); ++i) {
+        v1::Quality message;
+        message.set_fiblet_culling(static_cast<v1::FibletCulling>(all->value(i)->number()));
+        EXPECT_EQ(toProto(fromProto(message, "quality")).fiblet_culling(), message.fiblet_culling()) << all->value(i)->name();
+    }
+    EXPECT_EQ(fromProto(v1::Quality(), "quality").fiblet_culling, model::FibletCulling::kAuto);
+}
+
 TEST(Echo, NamesTheSettingsThatTheMethodTakes) {
     v1::Quality message;
     message.set_intersection(v1::INTERSECTION_METHOD_RAY_MARCH_VAN_ALMSICK);

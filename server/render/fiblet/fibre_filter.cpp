@@ -110,6 +110,7 @@ SegmentMasks segmentMasks(const model::FibletSet& set, const model::TractogramLa
         if (masks.empty()) masks.assign(set.heads.size(), ~std::uint64_t{0});
     };
     for (const model::FibreRegionCut& cut : layer.region_cuts) {
+        if (cut.by_depths) continue;
         all();
         keepByRegion(set, *selector.region(cut.region), cut.outside, masks);
     }
@@ -134,10 +135,28 @@ FibreFilter::FibreFilter(gpu::Device& device, const model::FibletSet& set, const
         states_ = gpu::Buffer(device, states.size(), gpu::Memory::kDevice, "fibre states");
         gpu::upload(device, states_, 0, std::as_bytes(std::span(states)));
     }
+    for (const model::FibreRegionCut& cut : layer.region_cuts) {
+        if (cut.by_depths) keepTriangles(device, *selector.mesh(cut.region), set.origin_mm);
+    }
     const SegmentMasks masks = segmentMasks(set, layer, selector);
     if (masks.empty()) return;
     segments_ = gpu::Buffer(device, std::span(masks).size_bytes(), gpu::Memory::kDevice, "shown segments");
     gpu::upload(device, segments_, 0, std::as_bytes(std::span(masks)));
+}
+
+void FibreFilter::keepTriangles(gpu::Device& device, const model::TriangleMesh& mesh, const glm::dvec3& origin_mm) {
+    std::vector<glm::vec3> corners;
+    double volume = 0;
+    for (const glm::uvec3& t : mesh.triangles) {
+        const glm::dvec3 a(mesh.points[t.x]), b(mesh.points[t.y]), c(mesh.points[t.z]);
+        for (const glm::dvec3& p : {a, b, c}) corners.emplace_back(p - origin_mm);
+        volume += glm::dot(a - origin_mm, glm::cross(b - origin_mm, c - origin_mm));
+    }
+    // A surface may be turned inside out: files do not agree on which side is which.
+    for (std::size_t i = 0; volume < 0 && i < corners.size(); i += 3) std::swap(corners[i], corners[i + 1]);
+    cut_triangle_count_ = static_cast<std::uint32_t>(mesh.triangles.size());
+    cut_triangles_ = gpu::Buffer(device, std::span(corners).size_bytes(), gpu::Memory::kDevice, "cutting triangles");
+    gpu::upload(device, cut_triangles_, 0, std::as_bytes(std::span(corners)));
 }
 
 }  // namespace radiata::render

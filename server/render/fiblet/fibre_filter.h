@@ -29,11 +29,17 @@ public:
 
     std::uint64_t stateAddress() const { return states_ ? states_.address() : 0; }        ///< 0: all fibres are shown
     std::uint64_t segmentAddress() const { return segments_ ? segments_.address() : 0; }  ///< 0: all segments are
-    std::uint64_t shown() const { return shown_; }                                        ///< fibres
+    /// Of the mesh that cuts by depths: vec3[3 * count], mm from the fiblets' origin, counter-clockwise seen from outside.
+    std::uint64_t cutTriangles() const { return cut_triangles_ ? cut_triangles_.address() : 0; }
+    std::uint32_t cutTriangleCount() const { return cut_triangle_count_; }
+    std::uint64_t shown() const { return shown_; }  ///< fibres
     std::uint64_t selected() const { return selected_; }
 
 private:
-    gpu::Buffer states_, segments_;
+    void keepTriangles(gpu::Device& device, const model::TriangleMesh& mesh, const glm::dvec3& origin_mm);
+
+    gpu::Buffer states_, segments_, cut_triangles_;
+    std::uint32_t cut_triangle_count_ = 0;
     std::uint64_t shown_ = 0, selected_ = 0;
 };
 

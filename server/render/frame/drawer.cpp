@@ -9,6 +9,7 @@
 #include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
 #include "render/frame/path_passes.h"
+#include "render/frame/peel_passes.h"
 #include "render/frame/surface_looks.h"
 #include "render/frame/uncertainty_passes.h"
 #include "render/frame/visibility_passes.h"
@@ -68,8 +69,8 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
             return runRasterSurface(pass_run, pass);
         case plan::PassKind::kFiblets:
             return runFiblets(pass_run, pass, fiblet_pace_);
-        case plan::PassKind::kFibletPeels:
-            return runFibletPeels(pass_run, pass, fiblet_pace_);
+        case plan::PassKind::kPeels:
+            return runPeels(pass_run, pass, fiblet_pace_, veil_bands_);
         case plan::PassKind::kClear:
             return runClear(pass_run, pass);
         case plan::PassKind::kIsosurfaceTrace:
@@ -111,7 +112,13 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         target.pages_serial = beginPages(list);
         PassRun pass_run{device_, recorder_, pipelines_, target, list, sample, cancel};
         prepareRaster(pass_run);
-        for (const plan::PassPlan& pass : list.plan->passes) run(pass_run, pass);
+        for (const plan::PassPlan& pass : list.plan->passes) {
+            if (pass.peeled) {
+                runPeeled(pass_run, pass, [&] { run(pass_run, pass); });
+            } else {
+                run(pass_run, pass);
+            }
+        }
         recorder_.submitAndWait();
         target.samples = sample + 1;
         // A dataset that the view shows beside may be another meanwhile: then the same view is not the same.

@@ -27,6 +27,7 @@ struct FibletBuffers {
     gpu::Buffer found_page_numbers;            ///< the same, read back, for a scene that is not all on the device
     gpu::Buffer shown_pages;                   ///< uint[pages]: what is drawn of them
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
+    gpu::Buffer cut_front, cut_back;           ///< uint[pixels]; only where a mesh cuts by its depths
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
     std::vector<std::uint32_t> level_offsets;  ///< of the pyramid, in words, from level 1 on

@@ -8,16 +8,13 @@
 #include "render/frame/fiblet_buffers.h"
 #include "render/frame/fiblet_coverage.h"
 #include "render/frame/fiblet_cull.h"
-#include "render/frame/light_passes.h"
+#include "render/frame/fiblet_cut.h"
 
 namespace radiata::render {
 namespace {
 
-/// Segments per pixel of a transparent layer that a moving picture composes.
-constexpr int kMovingPeels = 4;
-
-struct LayerPush {
-    std::uint64_t layer, surface;
+struct BeginPush {
+    std::uint64_t layer, surface, opaque;
 };
 struct RasterPush {
     std::uint64_t layer;
@@ -27,17 +24,19 @@ struct SurfacePush {
     std::uint64_t layer, surface, counters;
 };
 
+}  // namespace
+
 /// One layer's passes while they run.
 class FibletRun {
 public:
-    FibletRun(PassRun& run, const plan::PassPlan& pass, FibletPace& pace)
+    FibletRun(PassRun& run, std::size_t layer, bool first, FibletPace& pace)
         : run_(run),
           pace_(pace),
-          index_(static_cast<std::size_t>(pass.layer)),
+          index_(layer),
           plan_(*run.list.plan->fiblets[index_]),
           scene_(*run.list.layers[index_].tracts),
           own_(*run.target.fiblets[index_]),
-          first_(pass.first),
+          first_(first),
           suffix_(run.list.layers.size() > 1 ? " " + std::to_string(index_) : ""),
           lines_(run, index_, own_, pace, suffix_),
           cull_(run, plan_, scene_, own_, suffix_) {}
@@ -66,29 +65,24 @@ public:
         surface();
     }
 
-    void drawPeels() {
-        const bool fast = run_.list.moving;
+    void beginPeels(bool counted) {
         peels_ = true;
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
-        own_.preparePeels(run_.device, run_.pixels(), fast);
-        ensureBytes(run_.device, run_.target.peel_surface, run_.pixels() * sizeof(shader::Surface), gpu::Memory::kDevice,
-                    "peel surface");
-        run_.target.approximate = fast;
-        const bool any = scene_.fibletCount() > 0 && run_.list.camera.sees_scene;
-        for (int peel = 0; !fast || peel < kMovingPeels; ++peel) {
-            run_.checkCancelled();
-            peeling_ = peel > 0;
-            counting_ = fast && peel == 0;
-            begin(false);
-            own_.counts() = {};
-            if (any) drawPeel();
-            counting_ = false;
-            toPeelSurface();
-            runPeelLight(run_, "fiblet peel" + suffix_, own_.layerAddress(), peel == 0, fast && peel + 1 == kMovingPeels);
-            submit(0);
-            if (own_.counts().more == 0) break;
-        }
+        own_.preparePeels(run_.device, run_.pixels(), counted);
     }
+
+    void findPeel(bool first, bool counted) {
+        run_.checkCancelled();
+        peeling_ = !first;
+        counting_ = first && counted;
+        begin(false);
+        own_.counts() = {};
+        if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) drawPeel();
+        counting_ = false;
+        toPeelSurface();
+    }
+
+    std::uint64_t address() const { return own_.layerAddress(); }
 
     void findThrough(std::uint64_t inside, std::uint64_t found) {
         peels_ = true;
@@ -124,7 +118,7 @@ private:
     void toPeelSurface() {
         const auto resolve = [&] {
             run_.recorder.dispatch(
-                run_.pipelines.get("fiblet_surface", withPaged(plan_, {PassRun::kGroup, 1U, 0U, 0U, plan_.tubes ? 1U : 0U,
+                run_.pipelines.get("fiblet_surface", withPaged(plan_, {PassRun::kGroup, 0U, 0U, 0U, plan_.tubes ? 1U : 0U,
                                                                        plan_.selected_only ? 1U : 0U, 0U})),
                 "fiblet surface" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
                 SurfacePush{own_.layerAddress(), run_.target.peel_surface.address(), run_.counterAddress()});
@@ -190,6 +184,7 @@ private:
         own_.layer().end_slack = static_cast<float>(end_slack);
         own_.layer().detail_px = plan_.detail_px;
         detail_ = detailSegments(view);
+        if (plan_.mesh_cut) findCutDepths(run_, *run_.list.layers[index_].fibres->filter, own_, suffix_);
         own_.drawn = own_.pages_wanted = own_.pages_left_out = own_.pages_missing = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
     }
@@ -200,9 +195,11 @@ private:
             run_.recorder.fill(own_.words, 0, 8 * run_.pixels(), 0xffffffffU);
             return;
         }
-        run_.recorder.dispatch(run_.pipelines.get("fiblet_begin", {PassRun::kGroup, counting_ ? 1U : 0U}),
-                               "fiblet begin" + suffix_, PassRun::groups(run_.pixels()), 1, 1,
-                               LayerPush{own_.layerAddress(), run_.target.surface.address()});
+        run_.recorder.dispatch(
+            run_.pipelines.get("fiblet_begin", {PassRun::kGroup, counting_ ? 1U : 0U}), "fiblet begin" + suffix_,
+            PassRun::groups(run_.pixels()), 1, 1,
+            BeginPush{own_.layerAddress(), (peels_ ? run_.target.peel_surface : run_.target.surface).address(),
+                      run_.target.surface.address()});
     }
 
     /// Submits, and learns from the time how many fiblets the next submission may have.
@@ -220,7 +217,8 @@ private:
             withPaged(plan_, {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
                               plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
                               plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
-                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U}));
+                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U,
+                              plan_.mesh_cut ? 1U : 0U, plan_.mesh_outside ? 1U : 0U}));
         while (first < end) {
             run_.checkCancelled();
             const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 4e6));
@@ -379,15 +377,24 @@ private:
     FibletCull cull_;
 };
 
-}  // namespace
+FibletPeel::FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool counted)
+    : run_(std::make_unique<FibletRun>(run, layer, false, pace)), counted_(counted) {
+    run_->beginPeels(counted);
+}
+FibletPeel::~FibletPeel() = default;
+FibletPeel::FibletPeel(FibletPeel&&) noexcept = default;
 
-void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).drawPeels(); }
+void FibletPeel::find(bool first) { run_->findPeel(first, counted_); }
+
+std::uint64_t FibletPeel::address() const { return run_->address(); }
 
 void runFibletsThrough(PassRun& run, const plan::PassPlan& pass, std::uint64_t inside, std::uint64_t found) {
     FibletPace pace;
-    FibletRun(run, pass, pace).findThrough(inside, found);
+    FibletRun(run, static_cast<std::size_t>(pass.layer), pass.first, pace).findThrough(inside, found);
 }
 
-void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) { FibletRun(run, pass, pace).draw(); }
+void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) {
+    FibletRun(run, static_cast<std::size_t>(pass.layer), pass.first, pace).draw();
+}
 
 }  // namespace radiata::render

@@ -2,6 +2,10 @@
 // what they won goes to the surface buffer.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
 #include "render/frame/fiblet_lines.h"
 
 namespace radiata::render {
@@ -9,10 +13,24 @@ namespace radiata::render {
 /// All passes of the layer, in bounded submissions.
 void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
 
-/// A transparent layer into the veil: its segments from the front, one per pixel and peel, until less than 1/512 of what lies
-/// behind is seen. Of a moving picture (DrawList::moving) four peels, the last of which stands for all behind it, with the
-/// right transparency.
-void runFibletPeels(PassRun& run, const plan::PassPlan& pass, FibletPace& pace);
+/// A transparent layer of fibres while it is peeled: who finds, round by round, the nearest segments behind those that were
+/// composed (shaders/frame/peel.glsl).
+class FibletPeel {
+public:
+    /// \param counted  the first round counts the segments before what is opaque
+    FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool counted);
+    ~FibletPeel();
+    FibletPeel(FibletPeel&&) noexcept;
+
+    /// Puts segments into the target's peel surface where they are the nearest so far. \param first  nothing is composed yet
+    void find(bool first);
+    /// Of shader::FibletLayerParams.
+    std::uint64_t address() const;
+
+private:
+    std::unique_ptr<class FibletRun> run_;
+    bool counted_;
+};
 
 /// Sets the bits of fibres that are drawn through pixels, whatever hides them. \param inside  address of one bit per pixel of
 /// the target, 32 to a word \param found  address of one bit per fibre

@@ -1,12 +1,11 @@
 #include "render/frame/fiblet_self_test.h"
 
 #include <cmath>
-#include <memory>
 
 #include "base/error.h"
 #include "build/fiblet_encode.h"
 #include "gpu/device.h"
-#include "render/frame/outputs.h"
+#include "render/frame/known_picture.h"
 
 namespace radiata::render {
 namespace {
@@ -76,8 +75,7 @@ bool latticeIsRight(const model::FramePixels& pixels, double depth_offset) {
     return true;
 }
 
-}  // namespace
-
+/// What the device says that it can do for fibres.
 void addFibreAbilities(const gpu::Device& device, plan::Abilities& abilities) {
     using gpu::Feature;
     abilities.int64_atomics = device.has(Feature::kInt64Atomics);
@@ -89,36 +87,55 @@ void addFibreAbilities(const gpu::Device& device, plan::Abilities& abilities) {
     abilities.tessellation_shader = device.has(Feature::kTessellationShader);
 }
 
-bool fibletPipelineWorks(gpu::Device& device, Drawer& drawer, model::FibletPipeline pipeline,
-                         const plan::Abilities& abilities) {
+}  // namespace
+
+FibreSelfTest::FibreSelfTest(gpu::Device& device, Drawer& drawer, plan::Abilities& abilities)
+    : device_(device), drawer_(drawer), abilities_(abilities) {
+    addFibreAbilities(device, abilities);
+}
+
+bool FibreSelfTest::works(Pipeline pipeline) {
     try {
         const model::FrameRequest request = latticeRequest(pipeline);
-        const auto set = std::make_shared<const model::FibletSet>(lattice());
-        const auto scene = std::make_shared<const FibletScene>(device, set);
-        DrawList list;
-        list.camera = plan::rebaseCamera(request.camera, scene->bounds(), kSize);
-        const plan::FramePlan plan = plan::planFrame(request, {plan::LayerFacts{}}, abilities);
-        list.plan = &plan;
-        DrawnLayer& layer = list.layers.emplace_back();
-        layer.tracts = scene;
+        if (!scene_) scene_ = std::make_shared<const FibletScene>(device_, std::make_shared<const model::FibletSet>(lattice()));
+        DrawnLayer layer;
+        layer.tracts = scene_;
         const model::TractogramLayer& looks = request.scene.layers[0].tracts();
-        FibreSelector selector(set, {}, {});
-        layer.fibres = FibreLook{std::make_shared<const FibreFilter>(device, scene->set(), looks, selector),
-                                 std::make_shared<const FibreColours>(device, scene->set(), looks.colour, selector)};
-        if (model::drawsUncompressed(pipeline)) layer.vertices = std::make_shared<const FibreVertices>(device, scene->set());
-        layer.bounds = scene->bounds();
-        Target target;
-        target.impl_->prepare(device, kSize, kSize, 1);
-        drawer.drawSample(*target.impl_, list, 0, nullptr);
-        model::FramePixels pixels;
-        model::Outputs wanted;
-        wanted.depth = wanted.id = true;
-        readOutputs(device, drawer, *target.impl_, list, wanted, pixels);
-        drawer.takeTimings();
-        return latticeIsRight(pixels, list.camera.depth_offset_mm);
+        FibreSelector selector(std::shared_ptr<const model::FibletSet>(scene_, &scene_->set()), {}, {});
+        layer.fibres = FibreLook{std::make_shared<const FibreFilter>(device_, scene_->set(), looks, selector),
+                                 std::make_shared<const FibreColours>(device_, scene_->set(), looks.colour, selector)};
+        if (model::drawsUncompressed(pipeline)) {
+            layer.vertices = std::make_shared<const FibreVertices>(device_, scene_->set());
+        }
+        layer.bounds = scene_->bounds();
+        const auto facts = [](const auto&) { return plan::LayerFacts{}; };
+        const KnownPicture picture = drawKnownPicture(device_, drawer_, request, layer, facts, abilities_);
+        return latticeIsRight(picture.pixels, picture.depth_offset_mm);
     } catch (const Error&) {
         return false;
     }
+}
+
+void FibreSelfTest::test(Pipeline wanted) {
+    if (wanted == Pipeline::kAuto) {
+        test(Pipeline::kAtomic);
+        if (failed(Pipeline::kAtomic)) test(Pipeline::kPull);
+        return;
+    }
+    if ((tested_ & bit(wanted)) != 0) return;
+    tested_ |= bit(wanted);
+    if (!works(wanted)) abilities_.failed_pipelines |= bit(wanted);
+}
+
+std::vector<std::string> FibreSelfTest::testAll() {
+    std::vector<std::string> names;
+    for (const Pipeline one : {Pipeline::kAtomic, Pipeline::kPull, Pipeline::kMesh, Pipeline::kMeshSerial, Pipeline::kGeometry,
+                               Pipeline::kTessellation, Pipeline::kLines, Pipeline::kPoints}) {
+        test(one);
+        if (!failed(one)) names.emplace_back(model::pipelineName(one));
+    }
+    scene_.reset();
+    return names;
 }
 
 }  // namespace radiata::render

@@ -23,6 +23,10 @@ struct VeilPush {
     std::uint64_t frame, layers, surface, looks, veil, surface_looks;
     std::uint32_t transparent, first_block_row;
 };
+struct PeelPush {
+    std::uint64_t frame, layers, opaque, found, looks, peel;
+    std::uint32_t transparent, first_block_row;
+};
 
 }  // namespace
 
@@ -90,6 +94,17 @@ void runIsosurfaceVeil(PassRun& run, const plan::PassPlan& pass, BandSize& bands
                                run.frameAddress() + Target::Impl::kLookOffset, run.target.veil.address(),
                                surfaceLooksAddress(run.target, *run.list.plan), transparent, 0},
                       bands);
+}
+
+void runIsosurfacePeel(PassRun& run, std::uint32_t surfaces, std::uint64_t peel, bool counting, BandSize& bands) {
+    std::vector<std::uint32_t> constants = isosurfaceConstants(run.list.plan->resolved.quality.isosurface);
+    constants.push_back(kCrossingsMax);
+    constants.push_back(counting ? 1U : 0U);
+    run.dispatchBands(
+        run.pipelines.get("isosurface_peel", constants), "isosurface peel",
+        PeelPush{run.frameAddress(), run.target.isosurfaces.address(), run.target.surface.address(),
+                 run.target.peel_surface.address(), run.frameAddress() + Target::Impl::kLookOffset, peel, surfaces, 0},
+        bands);
 }
 
 }  // namespace radiata::render

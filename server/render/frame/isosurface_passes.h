@@ -26,4 +26,8 @@ std::vector<std::uint32_t> isosurfaceConstants(const model::IsosurfaceSettings& 
 /// Address of a layer's shader::IsosurfaceParams.
 std::uint64_t isosurfaceAddress(const Target::Impl& target, std::size_t layer);
 
+/// The nearest crossings that are not composed yet into the peel surface (shaders/isosurface/peel.comp).
+/// \param surfaces  bit i: layer i is a transparent isosurface \param peel  address of shader::PeelParams
+void runIsosurfacePeel(PassRun& run, std::uint32_t surfaces, std::uint64_t peel, bool counting, BandSize& bands);
+
 }  // namespace radiata::render

@@ -80,20 +80,20 @@ void runLight(PassRun& run, const plan::PassPlan& pass) {
                                     picture ? pictureAddress(run) : 0});
 }
 
-void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail) {
+void runPeelLight(PassRun& run, std::uint64_t peel, std::uint32_t kinds, bool first, bool tail) {
     const Target::Impl& target = run.target;
     const plan::FramePlan& plan = *run.list.plan;
     std::vector<std::uint32_t> constants{PassRun::kGroup,
                                          first ? 1U : 0U,
                                          plan.colour_modes,
                                          0U,
-                                         1U << shader::LAYER_TRACTS,
+                                         kinds,
                                          plan.fibre_colours,
                                          0U,
                                          plan.fibre_occlusion ? 1U : 0U,
                                          plan.fibre_halos ? 1U : 0U,
                                          0U,
-                                         0U,
+                                         plan.surface_looks,
                                          1U,
                                          tail ? 1U : 0U};
     if (plan.paged_layers != 0) {
@@ -101,9 +101,9 @@ void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bo
         constants.push_back(plan.paged_layers);
     }
     run.recorder.dispatch(
-        run.pipelines.get("light", constants), name, PassRun::groups(run.pixels()), 1, 1,
+        run.pipelines.get("light", constants), "peel", PassRun::groups(run.pixels()), 1, 1,
         LightPush{run.frameAddress(), target.peel_surface.address(), 0, run.frameAddress() + Target::Impl::kLookOffset, 0, 0, 0,
-                  target.veil.address(), 0, 0, layer, 0});
+                  target.veil.address(), 0, surfaceLooksAddress(target, plan), peel, 0});
 }
 
 void runResolve(PassRun& run, const plan::PassPlan& pass) {

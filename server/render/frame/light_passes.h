@@ -7,9 +7,10 @@ namespace radiata::render {
 
 void runLight(PassRun& run, const plan::PassPlan& pass);
 
-/// Composes what the peel surface shows of a transparent layer of fibres into the veil. \param layer  address of its parameters
-/// \param first  the veil is empty \param tail  the segments shown stand for all behind them
-void runPeelLight(PassRun& run, const std::string& name, std::uint64_t layer, bool first, bool tail);
+/// Composes what the peel surface shows of transparent layers into the veil. \param peel  address of shader::PeelParams
+/// \param kinds  of layers that are peeled: bit 1 << index of model::Layer::content
+/// \param first  the veil is empty \param tail  what is shown stands for all behind it
+void runPeelLight(PassRun& run, std::uint64_t peel, std::uint32_t kinds, bool first, bool tail);
 
 /// After the last sample.
 void runResolve(PassRun& run, const plan::PassPlan& pass);

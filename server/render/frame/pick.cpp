@@ -120,10 +120,8 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     pixel.scene.light = {};
     for (model::Layer& layer : pixel.scene.layers) {
         if (layer.ifGlyphs()) layer.glyphs().colour = {};
-        if (layer.ifTracts()) {
-            layer.tracts().colour = {};
-            layer.opacity = 1;  // transparent fibres are picked as others are
-        }
+        if (layer.ifTracts()) layer.tracts().colour = {};
+        if (!layer.ifSurface()) layer.opacity = 1;  // transparent fibres and glyphs are picked as others are
         if (model::IsosurfaceLayer* surface = std::get_if<model::IsosurfaceLayer>(&layer.content)) {
             *surface = {.dataset_id = surface->dataset_id, .isovalue = surface->isovalue};
         }

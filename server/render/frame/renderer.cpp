@@ -72,7 +72,7 @@ struct Renderer::Impl {
     model::Limits limits;
     Drawer drawer;
     plan::Abilities abilities;
-    std::uint32_t tested_pipelines = 0;  ///< bit 1 << model::FibletPipeline
+    std::optional<FibreSelfTest> fibre_test;
     std::string device_name;
     std::list<std::unique_ptr<GlyphScene>> scenes;  ///< most recently used first
     FrameLattices lattices;
@@ -83,7 +83,7 @@ struct Renderer::Impl {
     Impl(gpu::Device& the_device, store::Store& the_store, const model::Limits& the_limits)
         : device(the_device), store(the_store), limits(the_limits), drawer(the_device), tracts(the_limits.tract_memory_bytes) {
         abilities = selfTest(device, drawer);
-        addFibreAbilities(device, abilities);
+        fibre_test.emplace(device, drawer, abilities);
         device_name = device.info().name + ", " + device.info().driver;
     }
 
@@ -182,26 +182,12 @@ struct Renderer::Impl {
         return facts;
     }
 
-    /// Tests a way to draw fibres before its first use; plans refuse those that fail.
-    void testFibres(model::FibletPipeline wanted) {
-        using Pipeline = model::FibletPipeline;
-        const auto bit = [](Pipeline one) { return 1U << static_cast<unsigned>(one); };
-        if (wanted == Pipeline::kAuto) {
-            testFibres(Pipeline::kAtomic);
-            if ((abilities.failed_pipelines & bit(Pipeline::kAtomic)) != 0) testFibres(Pipeline::kPull);
-            return;
-        }
-        if ((tested_pipelines & bit(wanted)) != 0) return;
-        tested_pipelines |= bit(wanted);
-        if (!fibletPipelineWorks(device, drawer, wanted, abilities)) abilities.failed_pipelines |= bit(wanted);
-    }
-
     /// Everything that a picture needs, from scratch or from what is kept.
     DrawList prepare(const model::FrameRequest& request, plan::FramePlan& plan, model::FrameInfo& info) {
         const glm::dvec3 centre = centreOf(request.scene.layers[0]);
         DrawList list;
         for (const model::Layer& layer : request.scene.layers) {
-            if (layer.ifTracts()) testFibres(request.quality.fiblet_pipeline);
+            if (layer.ifTracts()) fibre_test->test(request.quality.fiblet_pipeline);
             list.layers.push_back(drawn(layer, request.quality, centre));
         }
         // Bounds united over layers, but relative positions to the one centre that all boxes have.
@@ -372,6 +358,8 @@ std::vector<std::string> Renderer::traversals() const {
     if (impl_->abilities.raster) names.emplace_back("raster_boxes");
     return names;
 }
+
+std::vector<std::string> Renderer::testFibrePipelines() { return impl_->fibre_test->testAll(); }
 
 const std::string& Renderer::deviceName() const { return impl_->device_name; }
 

@@ -81,6 +81,9 @@ public:
 
     /// Names of the traversals that passed the self-test: "ray_query", "bvh", "tiles", "raster_boxes".
     std::vector<std::string> traversals() const;
+    /// Tests all ways to draw fibres at once, as a server does if it is asked to; else each is tested before its first use.
+    /// \return names of those that work: "atomic", "mesh-serial", ... \throws nothing for those that do not
+    std::vector<std::string> testFibrePipelines();
     const std::string& deviceName() const;
     /// Pipelines made so far, those of the start-up self-test among them.
     std::size_t pipelineCount() const;

@@ -6,7 +6,7 @@
 
 #include "base/error.h"
 #include "gpu/device.h"
-#include "render/frame/outputs.h"
+#include "render/frame/known_picture.h"
 
 namespace radiata::render {
 namespace {
@@ -100,24 +100,14 @@ bool pathWorks(gpu::Device& device, Drawer& drawer, const std::shared_ptr<const 
     try {
         const model::FrameRequest request = testRequest(traversal);
         GlyphScene scene(device, dataset, request.scene.layers[0].glyphs(), {1.5, 1, 0.5});
-        DrawList list;
-        list.camera = plan::rebaseCamera(request.camera, scene.bounds(), kSize);
         plan::Abilities all;
         all.ray_query = all.raster = true;
-        const plan::FramePlan plan = plan::planFrame(request, {scene.facts(list.camera, kSize, kSize)}, all);
-        list.plan = &plan;
-        DrawnLayer& layer = list.layers.emplace_back();
+        DrawnLayer layer;
         layer.glyphs = &scene;
         layer.bounds = scene.bounds();
-        Target target;
-        target.impl_->prepare(device, kSize, kSize, 1);
-        drawer.drawSample(*target.impl_, list, 0, nullptr);
-        model::FramePixels pixels;
-        model::Outputs wanted;
-        wanted.depth = wanted.id = true;
-        readOutputs(device, drawer, *target.impl_, list, wanted, pixels);
-        drawer.takeTimings();
-        return pictureIsRight(dataset->image(), request, list.camera.depth_offset_mm, pixels);
+        const auto facts = [&](const auto& camera) { return scene.facts(camera, kSize, kSize); };
+        const KnownPicture picture = drawKnownPicture(device, drawer, request, layer, facts, all);
+        return pictureIsRight(dataset->image(), request, picture.depth_offset_mm, picture.pixels);
     } catch (const Error&) {
         return false;
     }

@@ -50,11 +50,13 @@ struct Target::Impl {
     gpu::Buffer params;          ///< FrameParams, GlyphLayerParams[], LayerLook[], Counters
     std::vector<LayerBuffers> layers;
     UncertaintyBuffers uncertainty;
-    gpu::Buffer isosurfaces;            ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
-    gpu::Buffer veil;                   ///< vec4[pixels], of the latest sample; only once a scene has a transparent isosurface
-    gpu::Buffer peel_surface;           ///< shader::Surface[pixels]; only once a scene has transparent fibres
-    gpu::Buffer fxaa_source;            ///< rgba8[pixels]; only once a picture was smoothed
-    bool approximate = false;           ///< the one sample has transparent fibres as they are drawn while moving
+    gpu::Buffer isosurfaces;   ///< shader::IsosurfaceParams[layers]; only once a scene has an isosurface
+    gpu::Buffer veil;          ///< vec4[pixels], of the latest sample; only once a scene has a transparent layer
+    gpu::Buffer peel_surface;  ///< shader::Surface[pixels]; only once a scene had layers to peel, as these:
+    gpu::Buffer peel_params, peel_crossings, peel_rest;  ///< shaders/shared/peel.glsl
+    std::vector<gpu::Buffer> peel_glyphs;                ///< shader::Surface[pixels] of layers of transparent glyphs
+    gpu::Buffer fxaa_source;                             ///< rgba8[pixels]; only once a picture was smoothed
+    bool approximate = false;           ///< the one sample has transparent layers as they are drawn while moving
     gpu::Buffer global_light;           ///< vec3[pixels], of the latest sample; only once a scene has global light
     gpu::Buffer surface_looks;          ///< shader::SurfaceLook[layers]; only once an isosurface has one
     gpu::Buffer paths;                  ///< shader::PixelPaths[pixels], of the latest sample; only once pixels were path-traced

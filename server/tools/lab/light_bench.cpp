@@ -26,4 +26,42 @@ LabVolume headOrBall(int size) {
     return {foldedBall(size), 30, "folded ball of " + std::to_string(size) + "^3 voxels"};
 }
 
+namespace {
+
+constexpr int kPaperHeight = 512, kReducedHeight = 256;
+
+}  // namespace
+
+ReadyFrames::ReadyFrames(gpu::Device& device, const Options& options, const char* name, const std::string& scene)
+    : LightBench(device, options, name, foldedBall(96), 30, scene,
+                 pictureHeight(device, options, kPaperHeight, kReducedHeight)) {
+    report.scene = scene;
+    report.repeats = options.rounds();
+    noteShortfalls(report, height(), pictureHeight(device, {}, kPaperHeight, kReducedHeight));
+}
+
+model::FrameRequest ReadyFrames::lit(float error, int samples) const {
+    model::FrameRequest request = LightBench::request(LabSky::kWideSun);
+    lightOf(request).relative_error = error;
+    lightOf(request).samples_max = samples;
+    return request;
+}
+
+model::FrameRequest ReadyFrames::local(model::FrameRequest lit) {
+    lit.scene.light.direction_world = glm::dvec3(lightOf(lit).suns[0].direction);
+    lit.scene.light.illumination.reset();
+    return lit;
+}
+
+model::FrameRequest ReadyFrames::shadowed(model::FrameRequest local) {
+    local.scene.light.shadow = model::Shadow::kHard;
+    return local;
+}
+
+std::vector<Measured> ReadyFrames::measureAll(const std::vector<Candidate>& candidates) {
+    const std::vector<Measured> measured = measure(renderer(), candidates, report.repeats, {});
+    for (const Measured& method : measured) report.series.push_back(method.time);
+    return measured;
+}
+
 }  // namespace radiata::lab

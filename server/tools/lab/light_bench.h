@@ -3,10 +3,12 @@
 
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "store/store.h"
 #include "tools/lab/experiment.h"
 #include "tools/lab/light_truth.h"
+#include "tools/lab/measure.h"
 
 namespace radiata::lab {
 
@@ -48,6 +50,20 @@ private:
     model::ScalarImage image_;
     float isovalue_;
     int height_ = 0;
+};
+
+/// The folded ball of 96^3 voxels under a sky and a sun of 18 degrees, in frames whose texels are ready: what its shadings
+/// take.
+class ReadyFrames : public LightBench {
+public:
+    ReadyFrames(gpu::Device& device, const Options& options, const char* name, const std::string& scene);
+    /// \param error, samples  relative error at which texels are done, and samples that they have at most
+    model::FrameRequest lit(float error, int samples) const;
+    /// Local light from the sun's direction instead.
+    static model::FrameRequest local(model::FrameRequest lit);
+    static model::FrameRequest shadowed(model::FrameRequest local);
+    /// Each is drawn once before: then its texels are there. Times, of all passes on the device, go into the report.
+    std::vector<Measured> measureAll(const std::vector<Candidate>& candidates);
 };
 
 inline std::string percent(double value) { return shortNumber(100 * value) + " %"; }

@@ -2,11 +2,8 @@
 // Source: Wyman et al. 2006, Fig. 8 and 9, Sec. 5.
 #include <cmath>
 
-#include "build/folded_ball.h"
-#include "store/store.h"
 #include "tools/lab/experiments.h"
-#include "tools/lab/light_truth.h"
-#include "tools/lab/measure.h"
+#include "tools/lab/light_bench.h"
 
 namespace radiata::lab {
 namespace {
@@ -30,35 +27,19 @@ double likeness(const model::Frame& a, const model::Frame& b, const std::vector<
 }  // namespace
 
 Report wymanFig9(gpu::Device& device, const Options& options) {
-    Report report;
-    report.experiment = "wyman-fig9";
-    report.repeats = options.rounds();
-    const int height = pictureHeight(device, options, 512, 256);
-    report.scene = "folded ball of 96^3 voxels under a sky and a sun of 18 degrees, texels ready";
-    report.view = std::to_string(height) + "x" + std::to_string(height) + ", one sample per pixel";
-    store::Store store(device, {});
-    render::Renderer renderer(device, store);
-    report.device = renderer.deviceName();
-    const model::ScalarImage image = foldedBall(96);
-    store.add("ball", image);
-    model::FrameRequest full = litRequest(image, "ball", 30, LabSky::kWideSun, height);
-    full.scene.light.illumination->relative_error = 0.05F;
-    full.scene.light.illumination->samples_max = 256;
+    ReadyFrames bench(device, options, "wyman-fig9",
+                      "folded ball of 96^3 voxels under a sky and a sun of 18 degrees, texels ready");
+    Report& report = bench.report;
+    const model::FrameRequest full = bench.lit(0.05F, 256);
     model::FrameRequest vicinity = full;
     vicinity.scene.light.illumination->suns.clear();
     vicinity.scene.light.illumination->sky.radiance = glm::vec3(1);
     vicinity.scene.light.illumination->bounces = 0;
-    model::FrameRequest lambert = full;
-    lambert.scene.light.illumination.reset();
-    lambert.scene.light.direction_world = glm::dvec3(0.7, -0.6, 0.6);
+    model::FrameRequest lambert = ReadyFrames::local(full);
     lambert.scene.light.irradiance = 1.2F;
     lambert.scene.light.ambient = 0.3F;
     model::IsosurfaceLayer& surface = lambert.scene.layers[0].surface();
     surface.shading = model::SurfaceShading::kLambert;
-    const auto shadowed = [](model::FrameRequest request) {
-        request.scene.light.shadow = model::Shadow::kHard;
-        return request;
-    };
     model::FrameRequest fog = lambert;
     fog.scene.layers[0].surface().fog = 0.9F;
     model::FrameRequest phong = lambert;
@@ -67,25 +48,22 @@ Report wymanFig9(gpu::Device& device, const Options& options) {
                                             {"vicinity", "", vicinity},
                                             {"Lambert with fog", "", fog},
                                             {"Phong, varying ambient", "", phong},
-                                            {"Phong, hard shadows", "", shadowed(phong)},
+                                            {"Phong, hard shadows", "", ReadyFrames::shadowed(phong)},
                                             {"Lambert, varying ambient", "", lambert},
-                                            {"Lambert, hard shadows", "", shadowed(lambert)}};
-    const std::vector<Measured> measured = measure(renderer, candidates, report.repeats, {});
+                                            {"Lambert, hard shadows", "", ReadyFrames::shadowed(lambert)}};
+    const std::vector<Measured> measured = bench.measureAll(candidates);
     model::FrameRequest traced = full;
     traced.scene.light.illumination->method = model::IlluminationMethod::kPathTracing;
     traced.scene.light.illumination->relative_error = 0.05F;
-    const model::Frame truth = renderer.renderAll(traced, {.depth = true});
+    const model::Frame truth = bench.draw(traced, {.depth = true});
     Table table{"shadings of one view", {"shading", "ms", "of Lambert", "correlation with path tracing"}, {}};
     const double base = measured[5].time.median();
     std::vector<double> alike;
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const Measured& method = measured[i];
-        alike.push_back(likeness(renderer.renderAll(candidates[i].request), truth, truth.pixels.depth));
+        alike.push_back(likeness(bench.draw(candidates[i].request), truth, truth.pixels.depth));
         table.rows.push_back({method.name, shortNumber(method.time.median()), shortNumber(method.time.median() / base),
                               shortNumber(alike.back())});
-        Series series = method.time;
-        series.name = method.name;
-        report.series.push_back(series);
     }
     table.rows.push_back({"path tracing, " + shortNumber(100 * truth.info.illumination->mean_error) + " % standard error",
                           shortNumber(truth.info.render_ms), shortNumber(truth.info.render_ms / base), "1"});
@@ -98,8 +76,7 @@ Report wymanFig9(gpu::Device& device, const Options& options) {
         "times are those of all passes on the device, of path tracing the whole picture; local shadings have the sun's "
         "direction and "
         "strength and the sky as ambient light, vicinity an even sky of 1");
-    noteShortfalls(report, height, height);
-    return report;
+    return std::move(report);
 }
 
 }  // namespace radiata::lab

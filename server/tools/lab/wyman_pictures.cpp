@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <utility>
 
 #include "base/parallel.h"
 #include "build/folded_ball.h"
@@ -33,29 +35,46 @@ model::ScalarImage cordOverFloor() {
     return image;
 }
 
-/// One minus what the middle of the shadow has of the light beside it; nothing if no pixel shows one of the two.
-double shadowDepth(const model::Frame& frame) {
+/// One minus what the middle of the shadow has of the light beside it. The middle lies between two pixels of a column and has
+/// what a straight line between them has: pixels are further apart than a thin shadow is wide. Nothing if the picture shows no
+/// such pixels, or none beside.
+std::optional<double> shadowDepth(const model::Frame& frame) {
+    struct Seen {
+        double off, value;  // from where the ray towards the sun passes the cord's axis, voxels; light
+    };
+    const auto width = static_cast<std::size_t>(frame.pixels.width), height = frame.pixels.depth.size() / width;
     double in_shadow = 0, beside = 0;
-    int shadow_pixels = 0, other_pixels = 0;
-    for (std::size_t i = 0; i < frame.pixels.depth.size(); ++i) {
-        if (!std::isfinite(frame.pixels.depth[i])) continue;
-        const glm::dvec3 grid =
-            23.5 + frame.info.position_origin_mm +
-            glm::dvec3(frame.pixels.position[3 * i], frame.pixels.position[3 * i + 1], frame.pixels.position[3 * i + 2]);
-        if (grid.z > 17 || std::abs(grid.x - 23.5) > 8) continue;
-        const double v = frame.pixels.rgba[4 * i] / 255.0,
-                     value = v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4);
-        // Where the ray towards the sun passes the cord's axis.
-        const double off = grid.y + (26 - grid.z) * kSunDirection.y / kSunDirection.z - 28;
-        if (std::abs(off) < 0.35) {
-            in_shadow += value;
-            ++shadow_pixels;
-        } else if (std::abs(off) > 7 && std::abs(off) < 12) {
-            beside += value;
-            ++other_pixels;
+    int crossings = 0, other_pixels = 0;
+    for (std::size_t column = 0; column < width; ++column) {
+        std::optional<Seen> above;
+        for (std::size_t row = 0; row < height; ++row) {
+            const std::size_t i = row * width + column;
+            const std::optional<Seen> last = std::exchange(above, std::nullopt);
+            if (!std::isfinite(frame.pixels.depth[i])) continue;
+            const glm::dvec3 grid =
+                23.5 + frame.info.position_origin_mm +
+                glm::dvec3(frame.pixels.position[3 * i], frame.pixels.position[3 * i + 1], frame.pixels.position[3 * i + 2]);
+            if (grid.z > 17 || std::abs(grid.x - 23.5) > 8) continue;
+            const double v = frame.pixels.rgba[4 * i] / 255.0;
+            above = {grid.y + (26 - grid.z) * kSunDirection.y / kSunDirection.z - 28,
+                     v <= 0.04045 ? v / 12.92 : std::pow((v + 0.055) / 1.055, 2.4)};
+            if (std::abs(above->off) > 7 && std::abs(above->off) < 12) {
+                beside += above->value;
+                ++other_pixels;
+            }
+            if (!last || (last->off < 0) == (above->off < 0)) continue;
+            in_shadow += (last->value * above->off - above->value * last->off) / (above->off - last->off);
+            ++crossings;
         }
     }
-    return 1 - in_shadow / shadow_pixels * other_pixels / beside;
+    if (crossings == 0 || other_pixels == 0) return std::nullopt;
+    return 1 - in_shadow / crossings * other_pixels / beside;
+}
+
+/// Rounding of 8 bits is no shadow.
+std::string depthText(const std::optional<double>& depth) {
+    if (!depth) return "not seen";
+    return percent(std::abs(*depth) < 1e-9 ? 0 : *depth);
 }
 
 /// The same by path tracing in double at points of the two places.
@@ -98,14 +117,14 @@ Report wymanFig4(gpu::Device& device, const Options& options) {
         light.suns = {{kSunDirection, 5, glm::vec3(1.5F)}};
         light.samples_max = 128;
         const model::Outputs outputs{.depth = true, .position = true};
-        const double rest = shadowDepth(bench.draw(request, outputs));
+        const std::optional<double> rest = shadowDepth(bench.draw(request, outputs));
         light.project = false;
-        const double own = shadowDepth(bench.draw(request, outputs)),
-                     truth = trueDepth(bench.image(), static_cast<double>(isovalue));
-        worst_own = std::max(worst_own, std::abs(own - truth));
-        worst_rest = std::max(worst_rest, std::abs(rest - truth));
+        const std::optional<double> own = shadowDepth(bench.draw(request, outputs));
+        const double truth = trueDepth(bench.image(), static_cast<double>(isovalue));
+        if (own) worst_own = std::max(worst_own, std::abs(*own - truth));
+        if (rest) worst_rest = std::max(worst_rest, std::abs(*rest - truth));
         table.rows.push_back({shortNumber(isovalue), shortNumber(std::max(0.0, (kCordVanishes - isovalue) / 8)), percent(truth),
-                              percent(own), percent(rest)});
+                              depthText(own), depthText(rest)});
     }
     bench.report.tables.push_back(table);
     if (LabVolume head = headOrBall(48); head.head) {
@@ -168,13 +187,16 @@ Report wymanFig10(gpu::Device& device, const Options& options) {
 }
 
 Report wymanFig11(gpu::Device& device, const Options& options) {
-    LightBench bench(device, options, "wyman-fig11", foldedBall(64), 30, "folded ball of 64^3 voxels");
+    LabVolume volume = headOrBall(64);
+    LightBench bench(device, options, "wyman-fig11", std::move(volume.image), volume.isovalue, volume.name);
     bench.noteErrors();
-    Table table{"error against path tracing", {"sky", "texels keep", "own level sets", "texels on the shown surface"}, {}};
+    Table table{
+        "error against path tracing", {"sky", "texels keep", "own level sets", "texels on the shown surface", "ratio"}, {}};
     for (const LabSky sky : {LabSky::kEven, LabSky::kWideSun, LabSky::kSun}) {
         const LightTruth truth = bench.truth(sky);
         for (const bool transfer : {false, true}) {
             std::vector<std::string> row{lab::name(sky), transfer ? "transfer of order 5" : "irradiance"};
+            double own = 0, shown = 0;
             for (const bool project : {false, true}) {
                 model::FrameRequest request = bench.request(sky);
                 model::Illumination& light = LightBench::lightOf(request);
@@ -182,8 +204,11 @@ Report wymanFig11(gpu::Device& device, const Options& options) {
                 light.project = project;
                 if (transfer) light.payload = model::TexelPayload::kTransfer;
                 if (transfer) light.orders = {5, 5, 5, 5, 5};
-                row.push_back(percent(lightError(bench.draw(request), truth)));
+                double& error = project ? shown : own;
+                error = lightError(bench.draw(request), truth);
+                row.push_back(percent(error));
             }
+            row.push_back(shortNumber(shown / own));
             table.rows.push_back(row);
         }
     }

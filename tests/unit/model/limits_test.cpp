@@ -74,6 +74,18 @@ TEST(Limits, RefusesQualityOutOfRange) {
     for (const int quality : {0, -5, 101}) {
         expectRefused({"jpeg_quality", Code::kInvalidArgument, [=](FrameRequest& r) { r.quality.jpeg_quality = quality; }});
     }
+    for (const FibletCulling culling : {FibletCulling::kFrustum, FibletCulling::kNone, FibletCulling::kCoverage}) {
+        expectRefused({"frozen_culling", Code::kInvalidArgument, [=](FrameRequest& r) {
+                           r.quality.frozen_culling = r.camera;
+                           r.quality.fiblet_culling = culling;
+                       }});
+    }
+    for (const FibletCulling culling : {FibletCulling::kAuto, FibletCulling::kTwoPhase}) {
+        FrameRequest frozen = sound();
+        frozen.quality.frozen_culling = frozen.camera;
+        frozen.quality.fiblet_culling = culling;
+        EXPECT_NO_THROW(validate(frozen, Limits{}));
+    }
 }
 
 TEST(Limits, RefusesMethodSettingsOutOfRange) {

@@ -78,10 +78,11 @@ TEST(PlanFiblets, CullNothingOfUncompressedPoints) {
 }
 
 /// Two phases where there is much behind something or the picture is small; else what is in the picture, and the frame says so.
+/// What is asked for by name is done.
 TEST(PlanFiblets, LookForWhatIsHiddenWhereThatPays) {
     using Culling = model::FibletCulling;
-    const auto plan = [](std::uint64_t fiblets, int height, Culling asked = Culling::kTwoPhase,
-                         Pipeline pipeline = Pipeline::kAuto, bool frozen = false) {
+    const auto plan = [](std::uint64_t fiblets, int height, Culling asked = Culling::kAuto, Pipeline pipeline = Pipeline::kAuto,
+                         bool frozen = false) {
         model::FrameRequest request;
         request.width = 16 * height / 9;
         request.height = height;
@@ -102,8 +103,37 @@ TEST(PlanFiblets, LookForWhatIsHiddenWhereThatPays) {
     EXPECT_EQ(plan(150'000, 720, Culling::kNone), Culling::kNone);
     EXPECT_EQ(plan(1'500'000, 720, Culling::kFrustum), Culling::kFrustum);
     EXPECT_EQ(plan(150'000, 720, Culling::kCoverage), Culling::kCoverage);
-    EXPECT_EQ(plan(150'000, 720, Culling::kTwoPhase, Pipeline::kMesh), Culling::kTwoPhase) << "decoding costs more there";
-    EXPECT_EQ(plan(150'000, 720, Culling::kTwoPhase, Pipeline::kAuto, true), Culling::kTwoPhase);
+    EXPECT_EQ(plan(150'000, 720, Culling::kTwoPhase), Culling::kTwoPhase) << "by name";
+    EXPECT_EQ(plan(1'500'000, 2160, Culling::kTwoPhase), Culling::kTwoPhase) << "by name";
+    EXPECT_EQ(plan(150'000, 720, Culling::kAuto, Pipeline::kMesh), Culling::kTwoPhase) << "decoding costs more there";
+    EXPECT_EQ(plan(150'000, 720, Culling::kAuto, Pipeline::kAuto, true), Culling::kTwoPhase) << "frozen";
+}
+
+/// One for the frame: what it says plans to the same again. A transparent layer hides nothing, whatever is asked for.
+TEST(PlanFiblets, CullAllLayersAlike) {
+    using Culling = model::FibletCulling;
+    model::FrameRequest request;
+    request.scene.layers.resize(3);
+    for (model::Layer& layer : request.scene.layers) layer.content = model::TractogramLayer{};
+    request.scene.layers[2].opacity = 0.5F;
+    std::vector<LayerFacts> facts(3);
+    facts[0].fiblets = 100;
+    facts[1].fiblets = facts[2].fiblets = 1'500'000;
+    FramePlan made = planFrame(request, facts, everything());
+    EXPECT_EQ(made.resolved.quality.fiblet_culling, Culling::kTwoPhase);
+    EXPECT_EQ(made.fiblets[0]->culling, Culling::kTwoPhase);
+    EXPECT_EQ(made.fiblets[1]->culling, Culling::kTwoPhase);
+    EXPECT_EQ(made.fiblets[2]->culling, Culling::kFrustum);
+    EXPECT_EQ(planFrame(made.resolved, facts, everything()).fiblets[0]->culling, Culling::kTwoPhase);
+    facts[1].fiblets = 100;
+    made = planFrame(request, facts, everything());
+    EXPECT_EQ(made.resolved.quality.fiblet_culling, Culling::kFrustum) << "what is transparent does not ask for it";
+    EXPECT_EQ(made.fiblets[1]->culling, Culling::kFrustum);
+    request.quality.fiblet_culling = Culling::kTwoPhase;
+    made = planFrame(request, facts, everything());
+    EXPECT_EQ(made.resolved.quality.fiblet_culling, Culling::kTwoPhase);
+    EXPECT_EQ(made.fiblets[0]->culling, Culling::kTwoPhase);
+    EXPECT_EQ(made.fiblets[2]->culling, Culling::kFrustum);
 }
 
 }  // namespace
