@@ -78,6 +78,8 @@ void setMethodSettings(v1::Quality& message, const model::Quality& quality) {
     const model::Quality unset;
     if (model::byPolynomial(method) || quality.polynomial != unset.polynomial) {
         *message.mutable_polynomial() = polynomialProto(quality.polynomial);
+        // Which has no stop; absent it is read as the one that is left out here.
+        if (method == Intersection::kLaguerre && quality.polynomial.bracket_stop) message.mutable_polynomial()->clear_stop();
     }
     if (model::byEqualSteps(method) || quality.ray_march != unset.ray_march) {
         *message.mutable_ray_march() = rayMarchProto(quality.ray_march);
