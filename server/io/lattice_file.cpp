@@ -3,6 +3,7 @@
 #include <array>
 #include <bit>
 #include <cstring>
+#include <utility>
 
 #include <zlib.h>
 
@@ -157,6 +158,23 @@ std::optional<LatticePart> LatticeReader::read(std::uint64_t bricks) {
     }
     read_ += head.bricks;
     return part;
+}
+
+SavedLattice readLattice(const std::filesystem::path& path, const LatticeHeader& wanted) {
+    LatticeReader reader(path);
+    SavedLattice saved{path.filename().string(), reader.header(), {}};
+    if (!(saved.header == wanted)) {
+        throw Error(Code::kInvalidArgument, saved.name + ": is a saved lattice of something else (" + saved.header.key + ")");
+    }
+    std::vector<bool> seen(wanted.bricks);
+    while (std::optional<LatticePart> part = reader.read(wanted.bricks)) {
+        for (const std::uint32_t brick : part->bricks) {
+            if (seen[brick]) throw Error(Code::kCorrupt, saved.name + ": has brick " + std::to_string(brick) + " twice");
+            seen[brick] = true;
+        }
+        saved.parts.push_back(std::move(*part));
+    }
+    return saved;
 }
 
 }  // namespace radiata::io

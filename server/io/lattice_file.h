@@ -65,4 +65,16 @@ private:
     std::uint64_t read_ = 0;
 };
 
+/// A whole lattice in host memory.
+struct SavedLattice {
+    std::string name;  ///< of its file
+    LatticeHeader header;
+    std::vector<LatticePart> parts;  ///< each brick once
+};
+
+/// \param wanted  what the file must say of itself: nothing is read of another
+/// \throws as LatticeReader, Error(kInvalidArgument) for a lattice of something else, Error(kCorrupt) for a brick that is there
+/// twice
+SavedLattice readLattice(const std::filesystem::path& path, const LatticeHeader& wanted);
+
 }  // namespace radiata::io

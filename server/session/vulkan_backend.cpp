@@ -9,6 +9,8 @@
 #include "io/tractogram.h"
 #include "model/selection_text.h"
 #include "model/tractogram_subset.h"
+#include "render/frame/saved_files.h"
+#include "store/saved_lattices.h"
 
 namespace radiata::session {
 namespace {
@@ -67,13 +69,21 @@ bool drawsTriangles(const model::FrameRequest& request, const model::Layer& laye
 bool resident(store::Store& store, const model::FrameRequest& request) {
     const std::vector<std::string> ids = datasetsOf(request);
     if (!std::ranges::all_of(ids, [&](const std::string& id) { return store.resident(id); })) return false;
-    return std::ranges::all_of(request.scene.layers, [&](const model::Layer& layer) {
+    const bool volumes = std::ranges::all_of(request.scene.layers, [&](const model::Layer& layer) {
         const model::IsosurfaceLayer* surface = layer.ifSurface();
         if (surface == nullptr) return true;
         return store.volumeResident(surface->dataset_id) &&
                (!surface->colour_by || store.volumeResident(surface->colour_by->image_id)) &&
                (!drawsTriangles(request, layer) || store.trianglesResident(surface->dataset_id, surface->isovalue));
     });
+    // A request that cannot be drawn names no file: whoever draws it says what is wrong with it.
+    try {
+        return volumes && std::ranges::all_of(render::savedFiles(store, request), [&](const render::SavedFile& saved) {
+                   return store.savedLattices().resident(saved.file);
+               });
+    } catch (const Error&) {
+        return true;
+    }
 }
 
 void load(store::Store& store, const model::FrameRequest& request) {
@@ -84,6 +94,9 @@ void load(store::Store& store, const model::FrameRequest& request) {
         store.volume(surface->dataset_id);
         if (surface->colour_by) store.volume(surface->colour_by->image_id);
         if (drawsTriangles(request, layer)) store.triangles(surface->dataset_id, surface->isovalue);
+    }
+    for (const render::SavedFile& saved : render::savedFiles(store, request)) {
+        store.savedLattices().read(saved.file, saved.header);
     }
 }
 

@@ -20,6 +20,7 @@
 #include "store/environment_files.h"
 #include "store/glyph_dataset.h"
 #include "store/lattice_files.h"
+#include "store/saved_lattices.h"
 #include "store/scalar_dataset.h"
 #include "store/surface_triangles.h"
 #include "store/tract_files.h"
@@ -63,6 +64,7 @@ struct Store::Impl {
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
     TriangleCache triangles;
+    SavedLattices saved_lattices;
 
     std::shared_ptr<Slot> find(const std::string& id) {
         std::lock_guard lock(mutex);
@@ -116,7 +118,7 @@ struct Store::Impl {
 };
 
 Store::Store(gpu::Device& device, io::ShOptions options, std::function<void(const std::string&)> log)
-    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}, {}}) {}
+    : impl_(new Impl{device, options, std::move(log), {}, {}, {}, {}, {}, {}}) {}
 Store::~Store() = default;
 
 std::vector<CatalogEntry> Store::add(const std::filesystem::path& folder_or_file,
@@ -278,6 +280,8 @@ void Store::setLatticeFolder(const std::filesystem::path& folder) { impl_->latti
 std::filesystem::path Store::latticeFile(const std::string& id, const std::string& key) {
     return latticePath(impl_->find(id)->path, impl_->lattice_folder, key);
 }
+
+SavedLattices& Store::savedLattices() { return impl_->saved_lattices; }
 
 void Store::setFibreMemory(const std::string& id, const model::FibreMemory& memory) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);

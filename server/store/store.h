@@ -28,6 +28,7 @@ class FibreSelector;
 namespace radiata::store {
 
 class GlyphDataset;
+class SavedLattices;
 class ScalarDataset;
 struct SurfaceTriangles;
 class VolumeDataset;
@@ -51,6 +52,8 @@ public:
     void setLatticeFolder(const std::filesystem::path& folder);
     /// The file for a lattice of this dataset with this key; empty if there is no place for it.
     std::filesystem::path latticeFile(const std::string& id, const std::string& key);
+    /// Saved lattices on their way to the device.
+    SavedLattices& savedLattices();
     /// Who draws a tractogram says what it takes on the device, for info() and list(). \throws Error(kNotFound)
     void setFibreMemory(const std::string& id, const model::FibreMemory& memory);
     /// One sentence for the log.

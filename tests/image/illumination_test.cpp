@@ -12,6 +12,8 @@
 #include "image/fixture.h"
 #include "io/nifti_write.h"
 #include "reference/path_tracer.h"
+#include "render/frame/saved_files.h"
+#include "store/saved_lattices.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::test {
@@ -332,14 +334,24 @@ TEST_F(GlobalLight, WholeLatticesServeEveryCameraAndTheNextStart) {
     store::Store next_store(device, {});
     next_store.add(folder / "volume.nii");
     render::Renderer next(device, next_store);
+    const std::vector<render::SavedFile> files = render::savedFiles(next_store, wanted);
+    ASSERT_EQ(files.size(), 1u);
+    EXPECT_EQ(files[0].file.filename(), first.info.illumination->saved);
+    store::SavedLattices& saved = next_store.savedLattices();
+    EXPECT_FALSE(saved.resident(files[0].file));
+    saved.read(files[0].file, files[0].header);
+    EXPECT_TRUE(saved.resident(files[0].file));
+    // Cut short: who draws does not read it again, and once the texels are dropped it is no reason to fail.
+    std::filesystem::resize_file(files[0].file, 5000);
     const model::Frame again = next.renderAll(wanted);
     EXPECT_EQ(again.info.illumination->texels_read, 24u * 24 * 24);
     EXPECT_EQ(again.info.illumination->samples, 0u);
     EXPECT_EQ(again.pixels.rgba, first.pixels.rgba);
-    // A file that was cut short is no reason to fail.
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-        if (entry.path().extension() == ".lattice") std::filesystem::resize_file(entry.path(), 5000);
-    }
+    model::FrameRequest dark = wanted;
+    lightOf(dark).full = false;
+    lightOf(dark).sky.radiance = glm::vec3(0.2F);
+    next.renderAll(dark);
+    EXPECT_FALSE(saved.resident(files[0].file)) << "its texels are dropped, so they are to be read again";
     store::Store third_store(device, {});
     third_store.add(folder / "volume.nii");
     render::Renderer third(device, third_store);

@@ -184,5 +184,34 @@ TEST_F(Volumes, AllThatAPictureNeedsIsBroughtBesideTheRenderThread) {
     EXPECT_THROW(backend.resident(tracts), Error);
 }
 
+TEST_F(Volumes, SavedLatticesAreReadBesideTheRenderThread) {
+    const std::filesystem::path file = write("ball.nii", foldedBall(16));
+    store.add(file);
+    model::FrameRequest lit = surfaceOf("ball");
+    lit.scene.layers[0].surface().isovalue = 30.0F;
+    model::Illumination& light = lit.scene.light.illumination.emplace();
+    light.full = true;
+    light.samples_max = 4;
+    light.project = false;
+    const model::Frame first = renderer.renderAll(lit);
+    ASSERT_THAT(first.info.illumination->saved, ::testing::EndsWith(".lattice"));
+
+    store::Store next_store(device, {});
+    next_store.add(file);
+    render::Renderer next(device, next_store);
+    const session::Backend backend = session::vulkanBackend(next, next_store);
+    EXPECT_EQ(next_store.volume("ball")->valueMin(), store.volume("ball")->valueMin());
+    EXPECT_FALSE(backend.resident(lit)) << "its texels are not read";
+    backend.load(lit);
+    EXPECT_TRUE(backend.resident(lit));
+    std::filesystem::resize_file(folder / first.info.illumination->saved, 100);
+    const model::Frame again = next.renderAll(lit);
+    EXPECT_EQ(again.info.illumination->texels_read, 16u * 16 * 16) << "what was read is what is shown";
+    EXPECT_EQ(again.pixels.rgba, first.pixels.rgba);
+    EXPECT_TRUE(backend.resident(lit)) << "they are on the device";
+    light.sky.radiance = glm::vec3(0.3F);
+    EXPECT_TRUE(backend.resident(lit)) << "of this light nothing was saved";
+}
+
 }  // namespace
 }  // namespace radiata::service::testing

@@ -1,42 +1,54 @@
 #include "render/frame/frame_lattices.h"
 
+#include <utility>
+
 #include "base/error.h"
+#include "io/lattice_file.h"
 #include "render/frame/illumination_passes.h"
+#include "store/saved_lattices.h"
 
 namespace radiata::render {
 namespace {
 
 constexpr std::size_t kKept = 4;
 
-/// Texels that an earlier run of the server saved.
-void takeSaved(const LatticeRun& run, IlluminationLattice& lattice, const std::string& dataset, store::Store& store) {
-    const std::filesystem::path file = store.latticeFile(dataset, lattice.key());
-    std::error_code failure;
-    if (file.empty() || !std::filesystem::is_regular_file(file, failure)) return;
+/// Texels that an earlier run of the server saved, mostly read already (session/vulkan_backend.cpp). \return where from, if so
+std::filesystem::path takeSaved(const LatticeRun& run, IlluminationLattice& lattice, const std::string& dataset,
+                                store::Store& store) {
+    const io::LatticeHeader header = lattice.header();
+    const std::filesystem::path file = store.latticeFile(dataset, header.key);
     try {
-        lattice.restore(run, file);
-        store.note(file.filename().string() + ": texels of " + dataset + " are taken from it");
+        const auto saved = store.savedLattices().take(file, header);
+        if (!saved) return {};
+        lattice.restore(run, *saved);
+        store.note(saved->name + ": texels of " + dataset + " are taken from it");
     } catch (const Error& error) {
-        if (error.code() == Code::kCancelled) throw;
+        if (error.code() == Code::kCancelled) {
+            store.savedLattices().forget(file);
+            throw;
+        }
         store.note(std::string(error.what()) + "; texels are computed");
     }
+    return file;
 }
 
 }  // namespace
 
-std::shared_ptr<IlluminationLattice> FrameLattices::find(gpu::Device& device,
-                                                         const std::shared_ptr<const store::VolumeDataset>& volume,
-                                                         const model::Illumination& light, bool projected) {
+FrameLattices::Kept& FrameLattices::find(gpu::Device& device, const std::shared_ptr<const store::VolumeDataset>& volume,
+                                         const model::Illumination& light, bool projected, store::Store& store) {
     for (auto it = kept_.begin(); it != kept_.end(); ++it) {
-        if (&(*it)->volume() != volume.get() || (*it)->projected() != projected ||
-            !IlluminationLattice::sameTexels((*it)->settings(), light)) {
+        if (&it->lattice->volume() != volume.get() || it->lattice->projected() != projected ||
+            !IlluminationLattice::sameTexels(it->lattice->settings(), light)) {
             continue;
         }
         kept_.splice(kept_.begin(), kept_, it);
         return kept_.front();
     }
-    kept_.push_front(std::make_shared<IlluminationLattice>(device, volume, light, projected));
-    if (kept_.size() > kKept) kept_.pop_back();
+    kept_.push_front({std::make_shared<IlluminationLattice>(device, volume, light, projected), {}});
+    if (kept_.size() > kKept) {
+        store.savedLattices().forget(kept_.back().taken);
+        kept_.pop_back();
+    }
     return kept_.front();
 }
 
@@ -48,12 +60,14 @@ void FrameLattices::prepare(const PassRun& run, DrawList& list, store::Store& st
         const model::Illumination& wanted = *scene.light.illumination;
         const model::IsosurfaceLayer& surface = scene.layers[layer].surface();
         DrawnLayer& drawn = list.layers[layer];
-        drawn.lattice = find(run.device, drawn.volume, wanted, false);
-        if (wanted.project) drawn.rest_lattice = find(run.device, drawn.volume, wanted, true);
+        if (wanted.project) drawn.rest_lattice = find(run.device, drawn.volume, wanted, true, store).lattice;
+        Kept& kept = find(run.device, drawn.volume, wanted, false, store);
+        drawn.lattice = kept.lattice;
         const auto map = wanted.environment ? store.environment(wanted.environment->id) : nullptr;
         const LatticeRun lattice_run = latticeRun(run);
         if (drawn.lattice->update(lattice_run, wanted, map, surface.colour, *surface.isovalue)) {
-            takeSaved(lattice_run, *drawn.lattice, surface.dataset_id, store);
+            if (!kept.taken.empty()) store.savedLattices().forget(std::exchange(kept.taken, {}));
+            kept.taken = takeSaved(lattice_run, *drawn.lattice, surface.dataset_id, store);
         }
         if (drawn.rest_lattice) drawn.rest_lattice->update(lattice_run, wanted, map, surface.colour, *surface.isovalue);
     }
@@ -71,6 +85,7 @@ void FrameLattices::save(const DrawList& list, store::Store& store) {
         std::string said = "not saved: the dataset is no file";
         try {
             if (!file.empty()) lattice->save(file);
+            store.savedLattices().forget(file);
             if (!file.empty()) said = file.filename().string();
         } catch (const Error& error) {
             said = "not saved: " + std::string(error.what());

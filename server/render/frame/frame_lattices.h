@@ -1,6 +1,7 @@
 // Illumination lattices that frames share: the last few are kept, and whole ones are saved and taken from where they were.
 #pragma once
 
+#include <filesystem>
 #include <list>
 #include <memory>
 
@@ -19,10 +20,14 @@ public:
     void save(const DrawList& list, store::Store& store);
 
 private:
-    std::shared_ptr<IlluminationLattice> find(gpu::Device& device, const std::shared_ptr<const store::VolumeDataset>& volume,
-                                              const model::Illumination& light, bool projected);
+    struct Kept {
+        std::shared_ptr<IlluminationLattice> lattice;
+        std::filesystem::path taken;  ///< its texels come from this file
+    };
+    Kept& find(gpu::Device& device, const std::shared_ptr<const store::VolumeDataset>& volume, const model::Illumination& light,
+               bool projected, store::Store& store);
 
-    std::list<std::shared_ptr<IlluminationLattice>> kept_;  ///< most recently used first
+    std::list<Kept> kept_;  ///< most recently used first
 };
 
 }  // namespace radiata::render

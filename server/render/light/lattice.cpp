@@ -6,35 +6,16 @@
 #include <cstring>
 #include <span>
 
-#include "base/checked.h"
 #include "base/error.h"
 #include "gpu/device.h"
 #include "math/low_discrepancy.h"
+#include "render/light/lattice_key.h"
 #include "render/light/transport_params.h"
 
 namespace radiata::render {
 namespace {
 
 constexpr int kEdge = static_cast<int>(shader::TEXEL_BRICK_EDGE);
-
-double voxelsPerTexel(model::LatticeResolution resolution) {
-    return resolution == model::LatticeResolution::kEighth ? 2 : resolution == model::LatticeResolution::kOne ? 1 : 0.5;
-}
-
-glm::ivec3 latticeSize(const glm::ivec3& samples, model::LatticeResolution resolution) {
-    return glm::ivec3(glm::ceil(glm::dvec3(samples - 1) / voxelsPerTexel(resolution))) + 1;
-}
-
-std::uint64_t product(const glm::ivec3& v) {
-    return checkedMultiply(checkedMultiply(static_cast<std::uint64_t>(v.x), static_cast<std::uint64_t>(v.y), "lattice"),
-                           static_cast<std::uint64_t>(v.z), "lattice");
-}
-
-std::uint64_t texelBytes(const model::Illumination& light) {
-    const auto count = static_cast<std::uint64_t>(light.payloadCount());
-    if (light.storage == model::TexelStorage::kRgb8) return 4;
-    return light.storage == model::TexelStorage::kFloat32 ? 4 * count : 4 * ((count + 1) / 2);
-}
 
 /// What the estimates of irradiance depend on.
 bool sameLight(const model::Illumination& a, const model::Illumination& b) {
@@ -62,11 +43,12 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       projected_(projected),
       size_(latticeSize(volume_->params().size, light.resolution)),
       bricks_((size_ + (kEdge - 1)) / kEdge),
-      pool_(device, product(bricks_), texelBytes(light), static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
+      pool_(device, latticeProduct(bricks_), texelBytes(light),
+            static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
     lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
-    if (product(size_) >> 32 != 0) {
-        throw Error(Code::kUnsupported, "an illumination lattice of " + std::to_string(product(size_)) +
+    if (latticeProduct(size_) >> 32 != 0) {
+        throw Error(Code::kUnsupported, "an illumination lattice of " + std::to_string(latticeProduct(size_)) +
                                             " texels; 2^32 is the limit: choose a lower resolution");
     }
     shader::LatticeParams& lattice = shared();
@@ -151,7 +133,7 @@ void IlluminationLattice::dropTexels() {
     saved_.clear();
 }
 
-std::uint64_t IlluminationLattice::brickCount() const { return product(bricks_); }
+std::uint64_t IlluminationLattice::brickCount() const { return latticeProduct(bricks_); }
 
 std::uint64_t IlluminationLattice::payloadBytes() const { return texelBytes(light_); }
 

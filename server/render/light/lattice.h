@@ -18,6 +18,11 @@
 #include "render/light/lattice_pool.h"
 #include "store/volume_dataset.h"
 
+namespace radiata::io {
+struct LatticeHeader;
+struct SavedLattice;
+}  // namespace radiata::io
+
 namespace radiata::render {
 
 /// What the lattice's passes run with.
@@ -73,15 +78,15 @@ public:
     bool requestedWhole() const { return (requested_for_ & kWholeMark) != 0; }
     bool whole() const { return whole_.next_brick == brickCount(); }
 
-    /// What a saved lattice must agree in, in words: volume, settings and, of irradiance, the light.
+    /// What a saved lattice must agree in, and its key: volume, settings and, of irradiance, the light.
+    io::LatticeHeader header() const;
     std::string key() const;
     /// \throws Error(kInternal) unless it is whole, Error(kUnavailable) naming the reason, such as a full disk
     void save(const std::filesystem::path& file) const;
-    /// Takes over all texels of a saved lattice with this one's key, in place of what there is.
-    /// \throws Error of io::LatticeReader, Error(kResourceExhausted) if the budget is too small, Error(kInvalidArgument) for
-    /// another
-    ///         lattice; then there are no texels
-    void restore(const LatticeRun& run, const std::filesystem::path& file);
+    /// Takes over all texels of a saved lattice with this one's header, in place of what there is.
+    /// \throws Error(kResourceExhausted) if the budget is too small, Error(kInvalidArgument) for another lattice; then there
+    /// are no texels
+    void restore(const LatticeRun& run, const io::SavedLattice& saved);
     /// What became of saving it, for info().
     void noteSaved(const std::string& sentence) { saved_ = sentence; }
     const std::string& saved() const { return saved_; }
@@ -132,7 +137,6 @@ private:
     void dropTexels();
     void noteWhole(std::uint32_t state);
     model::IlluminationInfo wholeInfo(model::IlluminationInfo info) const;
-    std::string lightKey() const;
 
     gpu::Device& device_;
     std::shared_ptr<const store::VolumeDataset> volume_;

@@ -9,6 +9,7 @@
 #include "base/error.h"
 #include "build/light_harmonics.h"
 #include "gpu/light/lattice_fixture.h"
+#include "io/lattice_file.h"
 #include "reference/path_tracer.h"
 
 namespace radiata {
@@ -165,7 +166,7 @@ TEST_F(LatticeSettings, WholeLatticesComeBackAsTheyWereSaved) {
 
         render::IlluminationLattice again(device(), volume(image_), light, false);
         again.update(run(), light, nullptr, glm::vec3(0.7F), 0);
-        again.restore(run(), file);
+        again.restore(run(), io::readLattice(file, again.header()));
         EXPECT_TRUE(again.whole());
         EXPECT_EQ(again.info().texels_read, 18u * 18 * 18);
         EXPECT_EQ(again.info().mean_error, lattice.info().mean_error);
@@ -181,7 +182,8 @@ TEST_F(LatticeSettings, WholeLatticesComeBackAsTheyWereSaved) {
         dark.update(run(), other, nullptr, glm::vec3(0.7F), 0);
         EXPECT_EQ(dark.key() == lattice.key(), payload == model::TexelPayload::kTransfer);
         if (payload == model::TexelPayload::kIrradiance) {
-            EXPECT_THROW(dark.restore(run(), file), Error);
+            EXPECT_THROW(io::readLattice(file, dark.header()), Error);
+            EXPECT_THROW(dark.restore(run(), io::readLattice(file, lattice.header())), Error);
             EXPECT_FALSE(dark.whole());
             EXPECT_TRUE(dark.payload(device(), texels_[0]).empty());
         }
