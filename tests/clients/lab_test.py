@@ -69,7 +69,7 @@ class LabTest(unittest.TestCase):
         self.assertEqual(len(report["plots"]), 2 * len(report["tables"]))
 
     def test_a_picture_of_an_experiment_without_plots_is_refused(self):
-        result = lab("run", "glyph-frame", "--size", "16", "--repeats", "1", "--svg", "unused.svg")
+        result = lab("run", "wyman-fig5", "--size", "16", "--repeats", "1", "--svg", "unused.svg")
         self.assertEqual(result.returncode, 3)
         self.assertIn("has no plot", result.stderr)
 
