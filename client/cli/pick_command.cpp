@@ -19,6 +19,7 @@ struct Options {
     RequestOptions request;
     std::vector<std::uint32_t> pixel;
     std::uint32_t radius_px = 3;
+    bool all_hits = false;
     bool json = false;
 };
 
@@ -30,6 +31,12 @@ std::string rankText(const v1::PickedGlyph& glyph) {
     const std::string of = std::to_string(glyph.peaks_size()) + (glyph.peaks_size() == 1 ? " peak" : " peaks");
     if (glyph.peak_rank() == 0) return "none of " + of;
     return std::to_string(glyph.peak_rank()) + " of " + of + ", " + formatNumber(glyph.peak_angle_deg(), 2) + " degrees away";
+}
+
+std::string hitText(const v1::RayHit& hit) {
+    return std::string(hit.leaving() ? "leaves" : "enters") + " a " + (hit.negative_lobe() ? "negative" : "positive") +
+           " lobe " + formatNumber(hit.distance_mm(), 4) + " mm from the eye at " + vectorText(hit.position_mm(), 4) +
+           ", radius " + formatNumber(hit.radius_mm(), 4) + " mm along " + vectorText(hit.direction(), 4);
 }
 
 std::string describe(const v1::PickedGlyph& glyph) {
@@ -48,6 +55,7 @@ std::string describe(const v1::PickedGlyph& glyph) {
         rows.push_back({"peak " + std::to_string(i + 1),
                         formatNumber(glyph.peaks(i).amplitude(), 5) + " along " + vectorText(glyph.peaks(i).direction(), 4)});
     }
+    for (int i = 0; i < glyph.hits_size(); ++i) rows.push_back({"hit " + std::to_string(i + 1), hitText(glyph.hits(i))});
     return formatTable({"picked", ""}, rows);
 }
 
@@ -93,6 +101,7 @@ void pick(const ConnectionOptions& connection_options, const Options& options) {
     request.set_x(options.pixel[0]);
     request.set_y(options.pixel[1]);
     request.set_radius_px(options.radius_px);
+    request.set_all_hits(options.all_hits);
     const Connection connection(connection_options);
     completeRequest(*request.mutable_request(), connection, options.request.plane);
     grpc::ClientContext context;
@@ -120,6 +129,8 @@ void addPickCommand(CLI::App& app, const ConnectionOptions& connection) {
         ->required();
     command->add_option("--radius", options->radius_px, "Pixels within which a fibre is looked for, 0 to 64")
         ->capture_default_str();
+    command->add_flag("--all-hits", options->all_hits,
+                      "All hits of the pixel's ray with the glyph under it, by the picture's --intersection");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &connection] { pick(connection, *options); });
 }

@@ -105,6 +105,9 @@ void render(const ConnectionOptions& connection_options, const Options& options)
                                 : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
     if (frame.image().empty()) throw ClientError(ExitCode::kRefused, "the server's frame has no picture");
     if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
+    for (const v1::LeftOut& left_out : frame.left_out()) {
+        for (const std::string& text : left_out.texts()) std::cerr << text << "\n";
+    }
     writeArrays(options, frame);
     if (!options.info.empty()) writeFile(options.info, messageToJson(frame).dump(2) + "\n");
     if (!options.picture.empty()) writeFile(options.picture, frame.image());

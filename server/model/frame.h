@@ -8,6 +8,7 @@
 
 #include "model/camera.h"
 #include "model/intersection.h"
+#include "model/left_out.h"
 #include "model/scene.h"
 #include "model/tessellation.h"
 
@@ -88,6 +89,7 @@ struct FrameInfo {
     std::string sun_table_reason;  ///< empty: no rays towards the light
     std::uint64_t glyphs = 0;
     std::uint64_t glyphs_available = 0;
+    std::vector<LeftOut> left_out;  ///< of layers of glyphs that leave out something
     std::uint64_t hit_pixels = 0;
     std::uint64_t capped_rays = 0;
     std::uint64_t fiblets = 0;        ///< of all layers of fibres

@@ -58,6 +58,9 @@ constexpr bool byEqualSteps(Intersection method) {
     return method == Intersection::kRayMarchPeeters || method == Intersection::kRayMarchVanAlmsick;
 }
 
+/// Whether the method has a form that finds all hits of a ray; the others stop at the first.
+constexpr bool findsAllHits(Intersection method) { return marches(method) || byPolynomial(method); }
+
 struct PolynomialSettings {
     bool bracket_stop = true;  ///< a root is done when its bracket is narrow; false: when a step is short, as in the paper
     /// Bracket: width over max(1, |u|); step: over the bound of all roots; laguerre: of imaginary parts over max(1, |u|).

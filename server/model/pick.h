@@ -18,6 +18,16 @@ struct Peak {
     bool operator==(const Peak&) const = default;
 };
 
+/// Where the ray of a pick crosses the glyph's surface.
+struct RayHit {
+    double distance_mm = 0;     ///< along the ray from the eye, or from the plane through an orthographic camera's eye
+    glm::dvec3 position_mm{0};  ///< on the ray, world
+    glm::dvec3 direction{0};    ///< from centre to position, unit
+    double radius_mm = 0;
+    bool negative_lobe = false;
+    bool leaving = false;  ///< else the ray enters
+};
+
 struct PickedGlyph {
     int layer = 0;
     std::string dataset_id;
@@ -35,6 +45,8 @@ struct PickedGlyph {
     int peak_rank = 0;          ///< from 1: the peak that the surface rises to; 0: none
     double peak_angle_deg = 0;  ///< from the direction to that peak
     std::vector<Peak> peaks;    ///< the largest first; of even layouts the end nearer to the direction
+
+    std::vector<RayHit> hits;  ///< if asked for: all of the ray with this glyph, the nearest first
 };
 
 struct FibreValue {
@@ -75,5 +87,9 @@ struct PickedFibres {
 using Picked = std::variant<PickedGlyph, PickedFibre, PickedSurface>;
 /// How far from the pixel fibres are looked for.
 constexpr int kPickRadiusMax = 64;
+
+struct FrameRequest;
+/// \throws Error(kInvalidArgument) if the picture's method finds no more than the first hit of a ray
+void checkAllHits(const FrameRequest& request);
 
 }  // namespace radiata::model

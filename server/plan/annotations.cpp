@@ -113,8 +113,13 @@ std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameSt
         corner(stateText(state, samples, request.quality.samples), 0, 0, 0),
         corner(conventionText(request.scene.annotations.convention, axes.right), 0, 1, 0),
     };
+    std::vector<std::string> texts{lobesText(request.scene), subsetText(request.scene, facts), fibreSubsetText(facts)};
+    for (const model::LeftOut& left_out : facts.left_out) {
+        for (std::string& text : model::leftOutTexts(left_out, request.scene.layers.size() > 1))
+            texts.push_back(std::move(text));
+    }
     int line = 1;
-    for (std::string text : {lobesText(request.scene), subsetText(request.scene, facts), fibreSubsetText(facts)}) {
+    for (std::string& text : texts) {
         if (!text.empty()) marks.push_back(corner(std::move(text), 0, 0, line++));
     }
     return marks;

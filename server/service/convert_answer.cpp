@@ -66,6 +66,18 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
     counters->set_fiblet_pages_resident(info.fiblet_pages_resident);
     counters->set_fiblet_pages_left_out(info.fiblet_pages_left_out);
     counters->set_fiblet_bytes_read(info.fiblet_bytes_read);
+    for (const model::LeftOut& left_out : info.left_out) {
+        v1::LeftOut* added = message.add_left_out();
+        added->set_layer(static_cast<std::uint32_t>(left_out.layer));
+        added->set_lmax(static_cast<std::uint32_t>(left_out.lmax));
+        added->set_lmax_available(static_cast<std::uint32_t>(left_out.lmax_available));
+        added->set_voxels_not_finite(left_out.voxels_not_finite);
+        added->set_glyphs_out_of_range(left_out.glyphs_out_of_range);
+        added->set_glyphs_without_lobes(left_out.glyphs_without_lobes);
+        for (const std::string& text : model::leftOutTexts(left_out, info.request.scene.layers.size() > 1)) {
+            added->add_texts(text);
+        }
+    }
     message.set_device(info.device);
     if (info.illumination) *message.mutable_illumination() = toProto(*info.illumination);
 }

@@ -22,6 +22,15 @@ void setPicked(const model::PickedGlyph& picked, v1::PickResponse& message) {
         *added.mutable_direction() = toProto(peak.direction);
         added.set_amplitude(peak.amplitude);
     }
+    for (const model::RayHit& hit : picked.hits) {
+        v1::RayHit& added = *glyph.add_hits();
+        added.set_distance_mm(hit.distance_mm);
+        *added.mutable_position_mm() = toProto(hit.position_mm);
+        *added.mutable_direction() = toProto(hit.direction);
+        added.set_radius_mm(hit.radius_mm);
+        added.set_negative_lobe(hit.negative_lobe);
+        added.set_leaving(hit.leaving);
+    }
 }
 
 void setPicked(const model::PickedFibre& picked, v1::PickResponse& message) {

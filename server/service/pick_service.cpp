@@ -41,9 +41,11 @@ grpc::ServerUnaryReactor* PickService::Pick(Context*, const Bytes* request, Byte
         const int x = static_cast<int>(message.x()), y = static_cast<int>(message.y());
         // The ray is traced by the render thread, peaks are searched by the worker, so that no view waits for them.
         const int radius = toInt(message.radius_px(), "radius_px");
-        const auto trace = [this, call, picture, x, y, radius] {
+        const bool all_hits = message.all_hits();
+        if (all_hits) model::checkAllHits(picture);
+        const auto trace = [this, call, picture, x, y, radius, all_hits] {
             try {
-                auto found = conductor_.backend().pick(picture, x, y, radius);
+                auto found = conductor_.backend().pick(picture, x, y, radius, all_hits);
                 if (!found) return call->answer(v1::PickResponse());
                 worker_.post([call, picked = std::move(*found)]() mutable {
                     try {

@@ -31,7 +31,9 @@ struct Backend {
         fit_camera;
 
     /// What the ray through a pixel's centre hits, without its peaks; nothing if it hits nothing.
-    std::function<std::optional<model::Picked>(const model::FrameRequest& request, int x, int y, int radius_px)> pick;
+    /// \param all_hits  of the ray with a glyph are wanted, for a request that model::checkAllHits() lets pass
+    std::function<std::optional<model::Picked>(const model::FrameRequest& request, int x, int y, int radius_px, bool all_hits)>
+        pick;
 
     /// Fibres within an outline; the contract of render::Renderer::pickFibres.
     std::function<std::vector<model::PickedFibres>(const model::FrameRequest& request, const std::vector<glm::dvec2>& outline,

@@ -80,6 +80,12 @@ model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameReque
     frame.info.traversal_reason = "nothing is traversed";
     frame.info.pole_table_reason = "nothing is traced";
     frame.info.glyphs = frame.info.glyphs_available = dataset().glyph_count;
+    for (std::size_t i = 0; i < request.scene.layers.size(); ++i) {
+        const model::GlyphLayer* glyphs = request.scene.layers[i].ifGlyphs();
+        model::LeftOut left_out{static_cast<int>(i), dataset().layout.lmax, dataset().layout.lmax, 0, 0, 0};
+        if (glyphs != nullptr) left_out.lmax = glyphs->lmax.value_or(left_out.lmax);
+        if (left_out.anything()) frame.info.left_out.push_back(left_out);
+    }
     frame.info.device = "stub";
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
@@ -91,7 +97,7 @@ model::Frame draw(std::chrono::milliseconds sample_time, const model::FrameReque
 }
 
 /// The left half of the picture is one glyph with two lobes along y; the right half is empty.
-std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int /*radius_px*/) {
+std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int /*radius_px*/, bool all_hits) {
     const std::string& id = request.scene.layers[0].datasetId();
     const model::DatasetInfo info = lookUp(id);
     if (2 * x >= request.width) return std::nullopt;
@@ -105,6 +111,12 @@ std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int
     glyph.amplitude = evaluateSh(glyph.layout, glyph.coefficients, glyph.direction);
     glyph.radius_mm = 2 * glyph.amplitude;
     glyph.position_mm = glyph.centre_mm + glyph.radius_mm * glyph.direction;
+    // A ray through the centre, from 100 mm in front of the first hit.
+    for (const double side : {1.0, -1.0}) {
+        if (!all_hits) break;
+        glyph.hits.push_back({100 + (1 - side) * glyph.radius_mm, glyph.centre_mm + side * glyph.radius_mm * glyph.direction,
+                              side * glyph.direction, glyph.radius_mm, false, side < 0});
+    }
     return glyph;
 }
 

@@ -114,8 +114,8 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
     backend.fit_camera = [&renderer](const std::string& id, const model::VoxelSelection& selection,
                                      model::Convention convention,
                                      double aspect) { return renderer.fitCamera(id, selection, convention, aspect); };
-    backend.pick = [&renderer](const model::FrameRequest& request, int x, int y, int radius_px) {
-        return renderer.pick(request, x, y, radius_px);
+    backend.pick = [&renderer](const model::FrameRequest& request, int x, int y, int radius_px, bool all_hits) {
+        return renderer.pick(request, x, y, radius_px, all_hits);
     };
     backend.pick_fibres = [&renderer](const model::FrameRequest& request, const std::vector<glm::dvec2>& outline,
                                       bool through) { return renderer.pickFibres(request, outline, through); };

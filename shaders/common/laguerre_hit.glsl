@@ -102,4 +102,31 @@ GlyphHit laguerreFirstHit(vec3 o, vec3 d, float t_min, bool both_lobes) {
     return hit;
 }
 
+// All hits of the whole line with both lobes, ascending: t, signed amplitude, and 1 where the ray enters the glyph or 0 where it leaves.
+// \return their number
+int laguerreAllHits(vec3 o, vec3 d, out vec3 hits[POLYNOMIAL_DEGREE], inout uint steps) {
+    const PolynomialRay ray = polynomialRay(o, d);
+    if (ray.u_max < 0.0) return 0;
+    float f[POLYNOMIAL_DEGREE + 1];
+    polynomialCoefficients(ray, 1.0, f);
+    vec2 roots[POLYNOMIAL_DEGREE];
+    laguerreRoots(f, roots, steps);
+    int found = 0;
+    for (int i = 0; i < POLYNOMIAL_DEGREE; ++i) {
+        const float u = roots[i].x;
+        if (!(abs(u) <= ray.u_max) || abs(roots[i].y) > kLaguerreReal * max(1.0, abs(u))) continue;
+        // The polynomial is positive inside.
+        float value = f[POLYNOMIAL_DEGREE], slope = 0.0;
+        for (int j = POLYNOMIAL_DEGREE - 1; j >= 0; --j) {
+            slope = slope * u + value;
+            value = value * u + f[j];
+        }
+        const vec3 hit = vec3(ray.closest + u * ray.h, polynomialAmplitude(ray, u), slope > 0.0 ? 1.0 : 0.0);
+        int place = found++;
+        for (; place > 0 && hits[place - 1].x > hit.x; --place) hits[place] = hits[place - 1];
+        hits[place] = hit;
+    }
+    return found;
+}
+
 #endif

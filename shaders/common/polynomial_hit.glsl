@@ -53,12 +53,12 @@ GlyphHit polynomialFirstHit(vec3 o, vec3 d, float t_min, bool both_lobes) {
     return hit;
 }
 
-// All hits of the whole line with both lobes, ascending. \return their number
-int polynomialAllHits(vec3 o, vec3 d, out float t[POLYNOMIAL_HITS_MAX], out float amplitude[POLYNOMIAL_HITS_MAX]) {
+// All hits of the whole line with both lobes, ascending: t, signed amplitude, and 1 where the ray enters the glyph or 0 where it leaves.
+// \return their number
+int polynomialAllHits(vec3 o, vec3 d, out vec3 hits[POLYNOMIAL_HITS_MAX], inout uint steps) {
     const PolynomialRay ray = polynomialRay(o, d);
     if (ray.u_max < 0.0) return 0;
     const POLYNOMIAL_REAL tolerance = kPolynomialTolerance * ray.u_max;
-    uint steps = 0u;
     int found = 0;
     for (int polynomial = 0; polynomial <= POLYNOMIAL_ODD; ++polynomial) {
         const POLYNOMIAL_REAL lobe = polynomial == 0 ? 1.0 : -1.0;
@@ -73,14 +73,12 @@ int polynomialAllHits(vec3 o, vec3 d, out float t[POLYNOMIAL_HITS_MAX], out floa
             if (high_positive != low_positive && found < POLYNOMIAL_HITS_MAX) {
                 const POLYNOMIAL_REAL u = polynomialBracketedRoot(f, POLYNOMIAL_DEGREE, low, high, low_positive, tolerance, steps);
                 const float at = float(ray.closest + u * ray.h);
-                // Of two polynomials, the second one's hits are sorted in.
+                const float amplitude =
+                    float(POLYNOMIAL_ODD != 0 ? lobe * ray.h * sqrt(1.0 + u * u) : polynomialAmplitude(ray, u));
+                // Of two polynomials, the second one's hits are sorted in. Both are positive inside.
                 int place = found++;
-                for (; place > 0 && t[place - 1] > at; --place) {
-                    t[place] = t[place - 1];
-                    amplitude[place] = amplitude[place - 1];
-                }
-                t[place] = at;
-                amplitude[place] = float(POLYNOMIAL_ODD != 0 ? lobe * ray.h * sqrt(1.0 + u * u) : polynomialAmplitude(ray, u));
+                for (; place > 0 && hits[place - 1].x > at; --place) hits[place] = hits[place - 1];
+                hits[place] = vec3(at, amplitude, high_positive ? 1.0 : 0.0);
             }
             low = high;
             low_positive = high_positive;

@@ -1,5 +1,5 @@
 // Runs the polynomial ray test over an array of rays against one glyph, whose coefficients are the shared values; in double with
-// POLYNOMIAL_DOUBLE. Output: count of hits, Newton steps, then t and amplitude of each: all of the line, or the first one only.
+// POLYNOMIAL_DOUBLE. All hits of a line: glyph/all_hits.comp.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/test/function.glsl"
@@ -9,16 +9,8 @@
 
 layout(constant_id = 1) const bool kPolynomialStopOnBracket = false;
 layout(constant_id = 2) const float kPolynomialTolerance = 2e-4;
-layout(constant_id = 3) const bool kAllHits = false;
 
-const int kMost = POLYNOMIAL_DEGREE * (POLYNOMIAL_ODD + 1);  // POLYNOMIAL_HITS_MAX
-
-struct Hits {
-    float count, steps;
-    vec2 t_and_amplitude[kMost];
-};
-
-FUNCTION_OVER(RayInput, Hits)
+FUNCTION_OVER(RayInput, RayOutput)
 
 float coefficients[SH_COUNT];
 #ifdef POLYNOMIAL_DOUBLE
@@ -32,23 +24,10 @@ float shEvaluate(vec3 direction) {
 
 #include "shaders/common/polynomial_hit.glsl"
 
-Hits function(RayInput x) {
+RayOutput function(RayInput x) {
     for (int i = 0; i < SH_COUNT; ++i) coefficients[i] = push.shared_values.value[i];
-    Hits result;
-    for (int i = 0; i < kMost; ++i) result.t_and_amplitude[i] = vec2(0.0);
-    if (kAllHits) {
-        float t[POLYNOMIAL_HITS_MAX], amplitude[POLYNOMIAL_HITS_MAX];
-        const int count = polynomialAllHits(x.origin, x.direction, t, amplitude);
-        result.count = float(count);
-        result.steps = 0.0;
-        for (int i = 0; i < count; ++i) result.t_and_amplitude[i] = vec2(t[i], amplitude[i]);
-    } else {
-        const GlyphHit hit = polynomialFirstHit(x.origin, x.direction, x.t_min, x.both_lobes != 0u);
-        result.count = hit.amplitude != 0.0 ? 1.0 : 0.0;
-        result.steps = float(hit.steps);
-        result.t_and_amplitude[0] = vec2(hit.t, hit.amplitude);
-    }
-    return result;
+    const GlyphHit hit = polynomialFirstHit(x.origin, x.direction, x.t_min, x.both_lobes != 0u);
+    return RayOutput(hit.t, hit.amplitude, hit.steps, 0u, vec3(0.0));
 }
 
 FUNCTION_MAIN

@@ -37,9 +37,12 @@ class LabTest(unittest.TestCase):
 
     def test_small_run_writes_all_values_and_fails_its_check(self):
         with tempfile.TemporaryDirectory() as folder:
-            file = pathlib.Path(folder) / "run.json"
-            result = lab("run", "glyph-frame", "--size", "64", "--repeats", "1", "--json", str(file), "--check")
+            file, svg_file = pathlib.Path(folder) / "run.json", pathlib.Path(folder) / "run.svg"
+            result = lab("run", "glyph-frame", "--size", "64", "--repeats", "1", "--json", str(file), "--svg", str(svg_file), "--check")
             report = json.loads(file.read_text())
+            picture = xml.etree.ElementTree.parse(svg_file).getroot()
+        words = [text.text for text in picture.iter("{http://www.w3.org/2000/svg}text")]
+        self.assertIn("tiles, direct", words)
         self.assertEqual(result.returncode, 1, result.stderr)
         self.assertIn("not a full run", result.stdout)
         self.assertTrue(any("height 64" in reason for reason in report["shortfalls"]))

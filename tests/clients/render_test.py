@@ -105,6 +105,14 @@ class RenderTest(ClientTest):
                                                      "shadow": "none", "angular_radius_deg": 5, "shadow_rays": 16})
         self.assertEqual(request["scene"]["annotations"], {"convention": "neurological", "hidden": True})
 
+    def test_what_is_left_out_is_told(self):
+        done = self.render("--lmax", "4", "-o", self.folder / "a.png", "--info", self.folder / "info.json")
+        self.assertIn("bands to 4 of 8 drawn\n", done.stderr)
+        left_out = json.loads((self.folder / "info.json").read_text())["left_out"]
+        self.assertEqual([(one["layer"], one["lmax"], one["lmax_available"]) for one in left_out], [(0, 4, 8)])
+        self.assertEqual(left_out[0]["texts"], ["bands to 4 of 8 drawn"])
+        self.assertEqual(self.render("-o", self.folder / "a.png").stderr, "")
+
     def test_methods_and_their_settings_are_echoed(self):
         cases = {
             ("march",): ("march", {}),

@@ -127,6 +127,14 @@ TEST_F(TensorPictures, EllipsoidsAreExact) {
         EXPECT_LT(worst, 2e-4);
         EXPECT_LT(worst_normal, 2e-3);
     }
+    // They are met once; a pick of all hits is refused where it meets one.
+    request.quality.intersection = Intersection::kMarch;
+    EXPECT_TRUE(renderer.pick(request, 100, 40) || renderer.pick(request, 60, 40));
+    EXPECT_EQ(codeOf([&] {
+                  renderer.pick(request, 100, 40, 0, true);
+                  renderer.pick(request, 60, 40, 0, true);
+              }),
+              Code::kInvalidArgument);
     // The Reynolds glyph touches its ellipsoid at the ends of the axes and lies outside of it elsewhere.
     const model::Frame ellipsoids = draw(request);
     request.scene.layers[0].glyphs().tensor = model::TensorShape::kReynolds;

@@ -51,6 +51,33 @@ TEST(Pick, OfAPictureOfItsOwnNamesThePlaceAndThePeak) {
     EXPECT_FALSE(response.has_glyph()) << "nothing there is an answer";
 }
 
+TEST(Pick, AnswersWithAllHitsIfAskedTo) {
+    Rig rig;
+    v1::PickRequest request;
+    *request.mutable_request() = frameRequest();
+    request.set_x(3);
+    request.set_y(5);
+    v1::PickResponse response;
+    ASSERT_TRUE(pick(rig.channel(), request, response).ok());
+    EXPECT_EQ(response.glyph().hits_size(), 0);
+    request.set_all_hits(true);
+    ASSERT_TRUE(pick(rig.channel(), request, response).ok());
+    const v1::PickedGlyph& glyph = response.glyph();
+    ASSERT_EQ(glyph.hits_size(), 2);
+    EXPECT_DOUBLE_EQ(glyph.hits(0).position_mm().y(), glyph.position_mm().y());
+    EXPECT_DOUBLE_EQ(glyph.hits(1).direction().z(), -0.8);
+    EXPECT_DOUBLE_EQ(glyph.hits(1).distance_mm() - glyph.hits(0).distance_mm(), 2 * glyph.radius_mm());
+    EXPECT_DOUBLE_EQ(glyph.hits(1).radius_mm(), glyph.radius_mm());
+    EXPECT_FALSE(glyph.hits(0).leaving() || glyph.hits(0).negative_lobe());
+    EXPECT_TRUE(glyph.hits(1).leaving());
+    for (const auto method : {v1::INTERSECTION_METHOD_RAY_MARCH_PEETERS, v1::INTERSECTION_METHOD_TENSOR_MARCH,
+                              v1::INTERSECTION_METHOD_TESSELLATED}) {
+        request.mutable_request()->mutable_quality()->set_intersection(method);
+        expectRefused(rig.channel(), request, grpc::StatusCode::INVALID_ARGUMENT,
+                      "first hit; all hits are found by march, pole-table, polynomial, polynomial-double, laguerre");
+    }
+}
+
 TEST(Pick, OfAViewsFrameAnswersForThatFrame) {
     Rig rig;
     const auto channel = rig.channel();

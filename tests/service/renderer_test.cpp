@@ -153,6 +153,19 @@ TEST_F(RendererTest, RenderAnswersWithAllOutputsThatAgree) {
               static_cast<int>(kWidth));
 }
 
+TEST_F(RendererTest, FramesTellWhatTheyLeaveOut) {
+    v1::FrameRequest request = slice();
+    v1::Frame frame;
+    ASSERT_TRUE(render(request, frame).ok());
+    EXPECT_EQ(frame.left_out_size(), 0);
+    request.mutable_scene()->mutable_layers(0)->mutable_glyphs()->set_lmax(2);
+    ASSERT_TRUE(render(request, frame).ok());
+    ASSERT_EQ(frame.left_out_size(), 1);
+    EXPECT_EQ(frame.left_out(0).lmax(), 2U);
+    EXPECT_EQ(frame.left_out(0).lmax_available(), 4U);
+    EXPECT_THAT(frame.left_out(0).texts(), ElementsAre("bands to 2 of 4 drawn"));
+}
+
 TEST_F(RendererTest, AViewConvergesToTheBytesOfThePicture) {
     const v1::FrameRequest request = slice();
     v1::Frame picture;

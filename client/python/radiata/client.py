@@ -96,12 +96,14 @@ class Client:
         request.outputs.extend(enum_value(frame_pb2.Output, "OUTPUT_", name) for name in outputs)
         return Frame(self._call(self._render.Render, request).frame)
 
-    def pick(self, dataset, x, y, radius_px=0, **options):
+    def pick(self, dataset, x, y, radius_px=0, *, all_hits=False, **options):
         """What lies under a pixel of the picture that render makes with the same options; None: nothing.
 
-        A PickedGlyph, PickedFibre or PickedSurface message. Fibres are looked for within radius_px pixels.
+        A PickedGlyph, PickedFibre or PickedSurface message. Fibres are looked for within radius_px pixels. With all_hits=True a
+        glyph's `hits` are all those of the pixel's ray, by the method that `intersection` names.
         """
-        request = pick_pb2.PickRequest(request=self.request(dataset, **options), x=x, y=y, radius_px=radius_px)
+        request = pick_pb2.PickRequest(x=x, y=y, radius_px=radius_px, all_hits=all_hits)
+        request.request.CopyFrom(self.request(dataset, **options))
         return picked(self._call(self._pick.Pick, request))
 
     def pick_fibres(self, outline, dataset=None, *, through=False, fibres_max=2**32 - 1, **options):

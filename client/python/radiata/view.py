@@ -86,9 +86,9 @@ class View:
             raise translated(error) from None
         return request.camera_sequence
 
-    def pick(self, frame, x, y, radius_px=0):
+    def pick(self, frame, x, y, radius_px=0, *, all_hits=False):
         """What lies under a pixel of a frame of this view, as Client.pick; the last 64 frames are known."""
-        request = pick_pb2.PickRequest(x=x, y=y, radius_px=radius_px)
+        request = pick_pb2.PickRequest(x=x, y=y, radius_px=radius_px, all_hits=all_hits)
         request.view.view_id, request.view.sequence = self.id, frame.message.sequence
         try:
             answer = self._pick.Pick(request, timeout=self._timeout)

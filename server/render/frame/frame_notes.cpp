@@ -19,6 +19,15 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
     }
 }
 
+void noteLeftOut(const DrawList& list, model::FrameInfo& info) {
+    for (std::size_t i = 0; i < list.layers.size(); ++i) {
+        if (list.layers[i].glyphs == nullptr) continue;
+        model::LeftOut left_out = list.layers[i].glyphs->leftOut();
+        left_out.layer = static_cast<int>(i);
+        if (left_out.anything()) info.left_out.push_back(left_out);
+    }
+}
+
 void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
         if (!list.layers[i].tracts) continue;

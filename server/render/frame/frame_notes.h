@@ -17,6 +17,9 @@ namespace radiata::render {
 /// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
 void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::PassTime>& passes);
 
+/// What layers of glyphs leave out.
+void noteLeftOut(const DrawList& list, model::FrameInfo& info);
+
 /// What became of the layers' fiblets in the latest sample.
 void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info);
 

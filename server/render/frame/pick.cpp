@@ -15,13 +15,9 @@ namespace {
 
 constexpr std::uint32_t kNobody = 0xffffffffU;
 
-/// The surface's point in world space, in double, from the ray that the device used.
+/// The surface's point in world space.
 glm::dvec3 hitPosition(const DrawList& list, const shader::Surface& surface, const glm::ivec2& away = glm::ivec2(0)) {
-    const shader::CameraRays& rays = list.camera.rays;
-    const glm::dvec2 offset = glm::dvec2(list.pixel_offset) + glm::dvec2(away);
-    const glm::dvec3 origin = offset.x * glm::dvec3(rays.step_right) - offset.y * glm::dvec3(rays.step_up);
-    const glm::dvec3 direction = origin * static_cast<double>(rays.inverse_distance) + glm::dvec3(rays.forward);
-    return list.camera.reference_mm + origin + static_cast<double>(surface.depth) * glm::normalize(direction);
+    return pickRay(list, away).at(static_cast<double>(surface.depth));
 }
 
 model::PickedGlyph describeGlyph(const DrawList& list, const shader::Surface& surface) {
@@ -136,7 +132,7 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
 }
 
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
-                                       int radius_px) {
+                                       int radius_px, const FoundGlyph& found_glyph) {
     const model::FrameRequest& picture = list.plan->resolved;
     const bool fibres = std::ranges::any_of(list.layers, [](const DrawnLayer& layer) { return layer.tracts != nullptr; });
     const int radius = fibres ? radius_px : 0, size = 2 * radius + 1;
@@ -154,7 +150,11 @@ std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Targ
         return surfaces[static_cast<std::size_t>((dy + radius) * size + dx + radius)];
     };
     const shader::Surface& middle = at(0, 0);
-    if (middle.who != kNobody && layerOf(middle).glyphs) return describeGlyph(list, middle);
+    if (middle.who != kNobody && layerOf(middle).glyphs) {
+        model::PickedGlyph glyph = describeGlyph(list, middle);
+        if (found_glyph) found_glyph(layerOf(middle).glyphs->instances()[middle.who], glyph);
+        return glyph;
+    }
     if (middle.who != kNobody && layerOf(middle).volume) return describeSurface(list, middle);
     glm::ivec2 best(0);
     bool found = false;

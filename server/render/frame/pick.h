@@ -7,6 +7,7 @@
 #include "model/outline.h"
 #include "model/pick.h"
 #include "render/frame/drawer.h"
+#include "render/frame/pick_hits.h"
 
 namespace radiata::render {
 
@@ -17,9 +18,9 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
                                 const plan::Abilities& abilities);
 
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
-/// pixel
+/// pixel \param found_glyph  may be empty
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
-                                       int radius_px);
+                                       int radius_px, const FoundGlyph& found_glyph = {});
 
 /// The fibres within the pixels of an outline, for each layer of fibres. \param list  of the whole picture, changed for the
 /// outline's window

@@ -289,6 +289,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
+    noteLeftOut(list, frame.info);
     noteFiblets(buffers, list, frame.info);
     frame.info.fiblet_bytes_read = pageBytesRead(list) - read_before;
     noteFibreMemory(list, impl_->store);
@@ -311,13 +312,16 @@ model::Frame Renderer::renderAll(const model::FrameRequest& request, const model
     return render(impl_->own_target, request, 0, request.quality.samples, outputs, cancel);
 }
 
-std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y, int radius_px) {
+std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, int x, int y, int radius_px, bool all_hits) {
     model::validate(request, impl_->limits);
+    if (all_hits) model::checkAllHits(request);
     model::FrameRequest pixel = pickRequest(request, x, y, radius_px, impl_->abilities);
     model::FrameInfo info;
     plan::FramePlan plan;
     DrawList list = impl_->prepare(pixel, plan, info);
-    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px);
+    FoundGlyph found_glyph;
+    if (all_hits) found_glyph = allHitsFinder(impl_->device, impl_->drawer, list, request.quality, impl_->abilities);
+    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px, found_glyph);
 }
 
 std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,

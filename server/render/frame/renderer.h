@@ -64,7 +64,10 @@ public:
     /// the viewer; what else the pixel itself shows goes before fibres beside it. \throws as render(); Error(kInvalidArgument)
     /// for a pixel outside the picture, Error(kUnsupported) on a device where
     ///         tile lists are the only traversal that works
-    std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int radius_px = 0);
+    /// \param all_hits  of the ray with the glyph that it meets first, by the request's method, too; see pick.proto's
+    ///         PickedGlyph.hits. Error(kInvalidArgument) for methods without, and for ellipsoids
+    std::optional<model::Picked> pick(const model::FrameRequest& request, int x, int y, int radius_px = 0,
+                                      bool all_hits = false);
 
     /// The fibres of each layer that are seen in the pixels of an outline, or that are drawn through them, whatever hides them.
     /// \param outline  as for model::pixelsIn(). \throws as pick() and model::pixelsIn()

@@ -16,6 +16,9 @@ namespace {
 
 /// Boxes of the traversal structures are in float scene coordinates; they grow by their rounding, so that none is missed.
 constexpr float kBoxPadding = 4e-7F;
+/// Amplitudes whose squares and products with bounds of derivatives float32 holds (tests/image/left_out_test.cpp). Lengths, mm.
+constexpr float kAmplitudeMin = 1e-16F, kAmplitudeMax = 1e17F;
+constexpr float kRadiusMin = 1e-20F, kRadiusMax = 1e18F;
 constexpr float kLargestValue = 3e38F;  // below the mark of glyphs without a value
 
 glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
@@ -26,9 +29,8 @@ glm::dvec3 worldOf(const model::ShImage& image, std::uint32_t slot) {
 GlyphSource withBoxes(GlyphSource source, const model::GlyphLayer& layer, model::GlyphBoxes boxes) {
     if (boxes == model::GlyphBoxes::kTight || !source.ellipsoids.empty()) return source;
     const model::ShImage& image = source.dataset->image();
-    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
     // A smaller layout of the same parity is a prefix.
-    const ShLayout shown{image.layout.full ? lmax : lmax - lmax % 2, image.layout.full};
+    const ShLayout shown{bandLimit(layer, image), image.layout.full};
     const CylinderBoxes cylinders(shown);
     const std::span<const float> all(image.coefficients);
     for (std::size_t i = 0; i < source.slots.size(); ++i) {
@@ -89,6 +91,14 @@ GlyphScene::GlyphScene(gpu::Device& device, const GlyphSource& source, const mod
     }
 }
 
+model::LeftOut GlyphScene::leftOut() const {
+    const model::ShImage& image = catalogued_->image();
+    // Ellipsoids have no bands to cut.
+    const bool bands = layer_.tensor != model::TensorShape::kEllipsoid;
+    const int lmax = bands ? bandLimit(layer_, image) : image.layout.lmax;
+    return {0, lmax, image.layout.lmax, image.rejected_voxels, out_of_range_, without_lobes_};
+}
+
 std::uint64_t GlyphScene::tensorAddress() const {
     if (ellipsoid_buffer_) return ellipsoid_buffer_.address();
     return dataset_->tensors() ? dataset_->tensors().address() : 0;
@@ -102,7 +112,14 @@ void GlyphScene::makeInstances(const GlyphSource& source) {
     for (std::size_t i = 0; i < source.slots.size(); ++i) {
         const auto mm = static_cast<float>(source.scales[i]);
         // Glyphs without a visible lobe, or too small or large for float, have nothing to hit.
-        if (!(boxes[i].radius * mm > 1e-20F) || !(boxes[i].radius * mm < 1e18F) || !std::isnormal(mm)) continue;
+        const auto within = [](float value, float low, float high) { return value > low && value < high; };
+        // Ellipsoids are met in the space where they are the unit sphere, whatever their amplitude.
+        const bool held = within(boxes[i].radius * mm, kRadiusMin, kRadiusMax) && std::isnormal(mm) &&
+                          (!source.ellipsoids.empty() || within(boxes[i].amplitude_max, kAmplitudeMin, kAmplitudeMax));
+        if (!held) {
+            ++(boxes[i].radius == 0 ? without_lobes_ : out_of_range_);
+            continue;
+        }
         const glm::dvec3 world = worldOf(dataset_->image(), source.slots[i]);
         const glm::dvec3 relative = world - centre_mm_;
         shader::GlyphInstance glyph{};

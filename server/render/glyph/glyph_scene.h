@@ -11,6 +11,7 @@
 #include "gpu/acceleration.h"
 #include "gpu/buffer.h"
 #include "model/intersection.h"
+#include "model/left_out.h"
 #include "model/scene.h"
 #include "plan/camera_rays.h"
 #include "plan/plan.h"
@@ -41,6 +42,8 @@ public:
     const glm::dvec3& centreMm() const { return centre_mm_; }
     model::GlyphBoxes boxes() const { return boxes_; }
     const std::vector<shader::GlyphInstance>& instances() const { return instances_; }
+    /// What of the layer is not drawn, but for the layer's number.
+    model::LeftOut leftOut() const;
     const gpu::Buffer& instanceBuffer() const { return instance_buffer_; }
     const plan::SceneBounds& bounds() const { return bounds_; }
 
@@ -73,7 +76,8 @@ private:
     glm::dvec3 centre_mm_;
     model::GlyphBoxes boxes_ = model::GlyphBoxes::kTight;
     std::vector<shader::GlyphInstance> instances_;
-    plan::SceneBounds bounds_;  ///< world
+    std::uint64_t out_of_range_ = 0, without_lobes_ = 0;  ///< selected glyphs that are no instances
+    plan::SceneBounds bounds_;                            ///< world
     float largest_radius_ = 0;
     std::vector<std::array<float, 6>> ellipsoids_;  ///< by instance
     gpu::Buffer ellipsoid_buffer_;

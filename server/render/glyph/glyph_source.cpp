@@ -14,12 +14,6 @@ namespace {
 
 bool bothLobes(const model::GlyphLayer& layer) { return layer.negative_lobes == model::NegativeLobes::kShown; }
 
-/// The band limit of a layer within an image's bands.
-int bandLimit(const model::GlyphLayer& layer, const model::ShImage& image) {
-    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
-    return image.layout.full ? lmax : lmax - lmax % 2;
-}
-
 std::vector<std::uint32_t> allSlots(const store::GlyphDataset& dataset) {
     std::vector<std::uint32_t> slots(dataset.image().voxels.size());
     std::iota(slots.begin(), slots.end(), 0U);
@@ -73,6 +67,11 @@ std::shared_ptr<const store::GlyphDataset> derived(gpu::Device& device, const st
 }
 
 }  // namespace
+
+int bandLimit(const model::GlyphLayer& layer, const model::ShImage& image) {
+    const int lmax = std::min(layer.lmax.value_or(image.layout.lmax), image.layout.lmax);
+    return image.layout.full ? lmax : lmax - lmax % 2;
+}
 
 GlyphSource shownGlyphs(gpu::Device& device, const std::shared_ptr<const store::GlyphDataset>& dataset,
                         const model::GlyphLayer& layer) {

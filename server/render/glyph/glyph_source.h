@@ -24,6 +24,9 @@ struct GlyphSource {
     std::vector<std::array<float, 6>> ellipsoids;
 };
 
+/// The band limit of a layer within an image's bands.
+int bandLimit(const model::GlyphLayer& layer, const model::ShImage& image);
+
 /// The layer's glyphs. An isotropic part is added to a copy of the selected glyphs; without one nothing is copied.
 GlyphSource shownGlyphs(gpu::Device& device, const std::shared_ptr<const store::GlyphDataset>& dataset,
                         const model::GlyphLayer& layer);

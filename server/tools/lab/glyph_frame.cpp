@@ -100,6 +100,12 @@ Report glyphFrame(gpu::Device& device, const Options& options) {
     for (std::size_t i = 0; i < variants.size(); ++i) {
         for (Series* series : {&frame[i], &glyph[i], &boxes[i]}) report.series.push_back(*series);
     }
+    report.plots.push_back(
+        {"finding boxes against the whole of it", "same boxes only, ms", "glyph passes, ms", false, false, false, {}});
+    for (std::size_t i = 0; i < variants.size(); ++i) {
+        const PlotPoint point{boxes[i].median(), glyph[i].median(), variants[i].name};
+        report.plots.back().curves.push_back({variants[i].name, {point}, false});
+    }
     report.notes.push_back(chosen);
     report.checks.push_back({"glyph pass / same boxes (auto)", glyph[0].median() / boxes[0].median(), "<=", 2.5});
     report.checks.push_back({"capped rays", static_cast<double>(capped), "<=", 0});

@@ -110,14 +110,17 @@ Report hlawitschkaFig5(gpu::Device& device, const Options& options) {
     const std::vector<Measured> measured = measure(renderer, candidates, report.repeats, {"light"});
     Table table{
         "Colour codings: light pass, and difference from the twin", {"coding", "light ms", "frame ms", "worst, of 255"}, {}};
+    Plot plot{"error of colours against time", "light pass, ms", "worst channel, of 255", false, false, false, {}};
     for (std::size_t i = 0; i < measured.size(); ++i) {
         const double worst = worstChannel(renderer, image, candidates[i].request);
         table.rows.push_back({measured[i].name, shortNumber(measured[i].time.median()),
                               shortNumber(measured[i].frame_time.median()), shortNumber(worst)});
+        plot.curves.push_back({measured[i].name, {{measured[i].time.median(), worst, measured[i].name}}, false});
         report.series.push_back(measured[i].time);
         report.checks.push_back({measured[i].name + ": worst channel, of 255", worst, "<=", kBound});
     }
     report.tables.push_back(table);
+    report.plots.push_back(std::move(plot));
     report.notes.push_back("the paper's data are not at hand: a slice of the phantom is shown instead");
     noteShortfalls(report, height, kReducedSize);
     return report;

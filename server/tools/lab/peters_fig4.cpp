@@ -51,6 +51,16 @@ double addedShare(const Measured& effect, const Measured& plain) {
     return share.median();
 }
 
+/// All passes of a frame over the rays that each pixel of it sends on from its glyph.
+Plot raysPlot(const std::string& view, const std::vector<Measured>& measured) {
+    Plot plot{view, "rays on from each pixel's glyph", "all passes, ms", true, false, false, {}};
+    for (const Measured& kind : measured) {
+        const double rays = kind.name.ends_with("16 rays") ? 16 : kind.name.starts_with("hard") ? 1 : 0;
+        plot.curves.push_back({kind.name, {{rays, kind.frame_time.median(), kind.name}}, false});
+    }
+    return plot;
+}
+
 void compareKinds(Report& report, render::Renderer& renderer, const std::string& view, const model::FrameRequest& request,
                   int repeats, bool judged) {
     const std::vector<Measured> measured = measure(renderer, kinds(request), repeats);
@@ -63,6 +73,7 @@ void compareKinds(Report& report, render::Renderer& renderer, const std::string&
                               plain ? "" : percent(addedShare(kind, measured.front()))});
     }
     report.tables.push_back(table);
+    report.plots.push_back(raysPlot(view, measured));
     for (const Measured& kind : measured) {
         if (kind.name == "hard shadow, auto") report.notes.push_back(view + ": sun table " + kind.info.sun_table_reason);
         if (!judged) continue;

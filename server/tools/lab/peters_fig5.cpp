@@ -1,6 +1,8 @@
 // peters-fig5: a slice of about 19,600 glyphs without and with uncertainty, in whole and in a close-up as the figure shows it,
 // at bands 4 (the paper's) and 8: what the second glyphs cost beside the first. They are made by the paper's recipe. Both lobes
 // are shown, as Peters' glyph is |f|. In his Table 1 uncertainty takes the frame from 0.59 to 1.93 ms.
+#include <algorithm>
+
 #include "build/uncertain_glyphs.h"
 #include "render/frame/renderer.h"
 #include "tools/lab/experiments.h"
@@ -33,6 +35,14 @@ View makeView(const std::string& name, const model::FrameRequest& request, model
     view.glyphs = {view.name + ": glyph passes", "ms", {}};
     view.second = {view.name + ": uncertainty passes", "ms", {}};
     return view;
+}
+
+/// The second glyphs' passes over the first ones'.
+void addPoints(const std::vector<View>& views, Plot& plot) {
+    for (const View& view : views) {
+        const bool close = view.name.find("close-up") != std::string::npos;
+        plot.curves[close ? 1 : 0].points.push_back({view.glyphs.median(), view.second.median(), view.name});
+    }
 }
 
 void runBand(gpu::Device& device, const Options& options, int k, Report& report) {
@@ -76,6 +86,7 @@ void runBand(gpu::Device& device, const Options& options, int k, Report& report)
     interleave(1, measurements);
     warm = true;
     interleave(report.repeats, measurements);
+    addPoints(views, report.plots[0]);
     for (const View& view : views) {
         for (const Series* series : {&view.alone, &view.glyphs, &view.second}) report.series.push_back(*series);
         report.checks.push_back(
@@ -94,8 +105,18 @@ Report petersFig5(gpu::Device& device, const Options& options) {
     Report report;
     report.experiment = "peters-fig5";
     report.repeats = options.rounds();
+    Plot plot{"second glyphs against the first", "glyph passes, ms", "uncertainty passes, ms", false, false, false, {}};
+    plot.curves = {{"slice", {}, false},
+                   {"close-up", {}, false},
+                   {shortNumber(kRatioMax) + " times the glyph passes: the bound", {{0, 0, {}}}, true}};
+    report.plots.push_back(std::move(plot));
     runBand(device, options, 4, report);
     runBand(device, options, 8, report);
+    double longest = 0;
+    for (const std::size_t curve : {0, 1}) {
+        for (const PlotPoint& point : report.plots[0].curves[curve].points) longest = std::max(longest, point.x);
+    }
+    report.plots[0].curves[2].points.push_back({longest, kRatioMax * longest, {}});
     report.notes.push_back(
         "second glyphs by the recipe of the paper: constant part times 1.7, each coefficient times a variate of mean 1 and "
         "deviation 0.05; the paper's own data are not at hand");

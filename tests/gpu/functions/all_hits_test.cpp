@@ -10,6 +10,7 @@
 #include "build/phantom.h"
 #include "gpu/functions/march_runner.h"
 #include "math/sh_convention.h"
+#include "shaders/shared/glyph_rays.glsl"
 #include "support/npz.h"
 
 namespace radiata {
@@ -51,17 +52,21 @@ protected:
     std::vector<Crossings> walk(ShLayout layout, const std::vector<float>& glyph, const std::vector<RayInput>& rays) {
         std::vector<float> shared = glyph;
         shared.push_back(certifiedRadius(evaluator(layout), glyph));
-        const std::size_t most = (layout.full ? 2 : 1) * (2 * std::size_t(layout.lmax) + 2), width = 4 + 2 * most;
-        const std::vector<float> values = runFunctionToFloats("test_all_hits_" + nameOf(layout), {0}, rays, width, shared);
+        const std::size_t most = (layout.full ? 2 : 1) * (2 * std::size_t(layout.lmax) + 2);
+        const std::size_t width = shader::GLYPH_RAY_HEADER + shader::GLYPH_RAY_WORDS * most;
+        const std::vector<float> values = runFunctionToFloats("glyph_all_hits_" + nameOf(layout), {}, rays, width, shared);
         std::vector<Crossings> result(rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
             const float* row = values.data() + i * width;
-            result[i].begins_inside = row[1] != 0;
+            const float* hits = row + shader::GLYPH_RAY_HEADER;
+            result[i].begins_inside = row[0] > 0 && hits[2] == 0;
+            result[i].gave_up = row[1] != 0;
             result[i].steps = int(row[2]);
-            result[i].gave_up = row[3] != 0;
             EXPECT_LE(std::size_t(row[0]), most);
-            for (std::size_t hit = 0; hit < std::size_t(row[0]); ++hit) {
-                result[i].at.push_back({double(row[4 + 2 * hit]), double(row[5 + 2 * hit])});
+            for (std::size_t hit = 0; hit < std::size_t(row[0]); ++hit, hits += shader::GLYPH_RAY_WORDS) {
+                result[i].at.push_back({double(hits[0]), double(hits[1])});
+                // Entries and exits alternate.
+                EXPECT_EQ(hits[2] != 0, (hit % 2 == 0) != result[i].begins_inside);
             }
         }
         return result;

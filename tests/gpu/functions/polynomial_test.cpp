@@ -7,6 +7,7 @@
 
 #include "gpu/functions/function_runner.h"
 #include "gpu/functions/ray_comparison.h"
+#include "shaders/shared/glyph_rays.glsl"
 
 namespace radiata {
 namespace {
@@ -23,24 +24,31 @@ const ShLayout kEven4{4, false};
 
 class PolynomialFunctions : public FunctionTest {
 protected:
-    struct Hits {
-        int steps = 0;
-        std::vector<std::pair<double, double>> t_and_amplitude;
+    static std::string layoutName(ShLayout layout) { return (layout.full ? "full" : "even") + std::to_string(layout.lmax); }
+    static std::vector<std::uint32_t> constants(Stop stop) {
+        return {stop.on_bracket, std::bit_cast<std::uint32_t>(stop.tolerance)};
+    }
+
+    struct Hit {
+        double t, amplitude;
+        bool enters;
     };
 
-    /// Odd bands of a full layout, or all of an even one.
-    std::vector<Hits> run(ShLayout layout, Stop stop, bool all, const std::vector<float>& glyph,
-                          const std::vector<RayInput>& rays, const std::string& kind = "") {
-        const std::size_t width = 2 + 2 * (layout.full ? 2 * std::size_t(layout.lmax) : 2 * std::size_t(layout.lmax) + 2);
-        const std::string module = "test_polynomial_" + kind + (layout.full ? "full" : "even") + std::to_string(layout.lmax);
-        const std::vector<float> values = runFunctionToFloats(
-            module, {stop.on_bracket, std::bit_cast<std::uint32_t>(stop.tolerance), all}, rays, width, glyph);
-        std::vector<Hits> result(rays.size());
+    /// All hits of each line. Odd bands of a full layout, or all of an even one.
+    std::vector<std::vector<Hit>> lines(ShLayout layout, const std::string& kind, const std::vector<std::uint32_t>& settings,
+                                        const std::vector<float>& glyph, std::vector<RayInput> rays) {
+        for (RayInput& ray : rays) ray.t_min = -1e3F;
+        const std::size_t most = layout.full ? 2 * std::size_t(layout.lmax) : 2 * std::size_t(layout.lmax) + 2;
+        const std::size_t width = shader::GLYPH_RAY_HEADER + shader::GLYPH_RAY_WORDS * most;
+        const std::vector<float> values =
+            runFunctionToFloats("glyph_all_hits_" + kind + layoutName(layout), settings, rays, width, glyph);
+        std::vector<std::vector<Hit>> result(rays.size());
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            const float* row = values.data() + i * width;
-            result[i].steps = int(row[1]);
-            for (std::size_t hit = 0; hit < std::size_t(row[0]); ++hit) {
-                result[i].t_and_amplitude.emplace_back(row[2 + 2 * hit], row[3 + 2 * hit]);
+            const float* hit = values.data() + i * width + shader::GLYPH_RAY_HEADER;
+            const auto count = std::size_t(values[i * width]);
+            EXPECT_LE(count, most);
+            for (std::size_t n = 0; n < count; ++n, hit += shader::GLYPH_RAY_WORDS) {
+                result[i].push_back({double(hit[0]), double(hit[1]), hit[2] != 0});
             }
         }
         return result;
@@ -48,37 +56,36 @@ protected:
 
     Solve solver(ShLayout layout, Stop stop, const std::string& kind = "") {
         return [this, layout, stop, kind](const std::vector<float>& glyph, const std::vector<RayInput>& rays) {
-            std::vector<RayOutput> outputs;
-            for (const Hits& hits : run(layout, stop, false, glyph, rays, kind)) {
-                outputs.emplace_back();
-                if (hits.t_and_amplitude.empty()) continue;
-                outputs.back().t = float(hits.t_and_amplitude[0].first);
-                outputs.back().amplitude = float(hits.t_and_amplitude[0].second);
-            }
-            return outputs;
+            return runFunction<RayOutput>("test_polynomial_" + kind + layoutName(layout), constants(stop), rays, glyph);
         };
     }
     Solve solver(int lmax, Stop stop) { return solver(ShLayout{lmax, false}, stop); }
 
-    /// Lines whose hits, all of them, differ from those of the reference in number, or in t by more than 1e-3.
+    /// Lines whose hits, all of them, differ from those of the reference in number, sign or side, or in t by more than 1e-3.
+    /// \param kind  of the module; empty: the polynomial in float
     void compareLines(std::mt19937& random, ShLayout layout, const std::vector<float>& glyph, Stop stop, int allowed,
                       const std::string& kind = "") {
         const reference::ShFunction f(layout, glyph);
-        const std::vector<RayInput> rays = randomRays(random, 300, 0.05F, 0.6F);
-        const std::vector<Hits> found = run(layout, stop, true, glyph, rays, kind);
+        std::vector<RayInput> rays = randomRays(random, 300, 0.05F, 0.6F);
+        for (std::size_t i = 0; i < rays.size(); ++i) rays[i].both_lobes = i % 4 != 0;
+        const bool laguerre = kind == "laguerre_";
+        const std::vector<std::uint32_t> settings =
+            laguerre ? std::vector{std::bit_cast<std::uint32_t>(stop.tolerance)} : constants(stop);
+        const auto found = lines(layout, laguerre ? kind : "polynomial_" + kind, settings, glyph, rays);
         int compared = 0, different = 0;
         std::size_t most = 0;
         for (std::size_t i = 0; i < rays.size(); ++i) {
-            RayInput ray = rays[i];
-            ray.both_lobes = 1;
-            const reference::GlyphHits expected = truth(f, ray);
+            RayInput whole = rays[i];
+            whole.t_min = -1e3F;
+            const reference::GlyphHits expected = truth(f, whole);
             if (expected.grazing) continue;
             ++compared;
             most = std::max(most, expected.hits.size());
-            bool same = found[i].t_and_amplitude.size() == expected.hits.size();
+            bool same = found[i].size() == expected.hits.size();
             for (std::size_t hit = 0; same && hit < expected.hits.size(); ++hit) {
-                const auto& [t, amplitude] = found[i].t_and_amplitude[hit];
-                same = std::abs(t - expected.hits[hit].t) < 1e-3 && (amplitude > 0) == (expected.hits[hit].amplitude > 0);
+                const reference::GlyphHit& right = expected.hits[hit];
+                same = std::abs(found[i][hit].t - right.t) < 1e-3 && (found[i][hit].amplitude > 0) == (right.amplitude > 0) &&
+                       found[i][hit].enters == (hit % 2 == 0);
             }
             different += !same;
         }
@@ -181,6 +188,8 @@ TEST_F(PolynomialFunctions, ByLaguerresMethodIsNearlyAlwaysRight) {
     EXPECT_LE(compareRegion(solve, kEven4, {0.02F, 1}, 1e-4).wrong, 5);
     EXPECT_LE(compareRegion(solve, kEven4, {0, 0.02F}, 1e-3).wrong, 20);
     EXPECT_LE(compareRegion(solve, kEven4, {0.02F, 0.5F}, 1e-4, true).wrong, 5);
+    std::mt19937 random(17);
+    compareLines(random, kEven4, randomGlyph(random, kEven4), {false, 1e-3F}, 6, "laguerre_");
     const std::vector<float> nothing(15, 0.0F);
     for (const RayOutput& output : solve(nothing, {{{0, 0, 3}, 0, {0, 0, -1}, 1}, {{0, 0, 0}, 0, {1, 0, 0}, 1}})) {
         EXPECT_EQ(output.amplitude, 0);

@@ -39,6 +39,23 @@ TEST(Annotations, AxialFromTheFeetIsRadiological) {
     EXPECT_EQ(at(marks, 0, 0, 2), "");
 }
 
+TEST(Annotations, NameWhatIsLeftOutOfLayers) {
+    auto frame = request({0, 0, -100}, {0, 1, 0});
+    SubsetFacts facts{0, 10};
+    facts.left_out = {{0, 4, 8, 37, 10, 1}};
+    auto marks = annotations(frame, model::FrameState::kConverged, 16, facts);
+    EXPECT_EQ(at(marks, 0, 0, 2), "subset: 0 of 10 glyphs shown");
+    EXPECT_EQ(at(marks, 0, 0, 3), "bands to 4 of 8 drawn");
+    EXPECT_EQ(at(marks, 0, 0, 4), "10 glyphs left out: too large or small for float32");
+    EXPECT_EQ(at(marks, 0, 0, 5), "37 voxels left out: NaN or infinity");
+    EXPECT_EQ(at(marks, 0, 0, 6), "1 glyph left out: no lobe to show");
+    frame.scene.layers.emplace_back();
+    facts.left_out = {{1, 8, 8, 1, 0, 0}};
+    marks = annotations(frame, model::FrameState::kConverged, 16, facts);
+    EXPECT_EQ(at(marks, 0, 0, 3), "layer 1: 1 voxel left out: NaN or infinity");
+    EXPECT_EQ(at(marks, 0, 0, 4), "");
+}
+
 TEST(Annotations, AxialFromAboveContradictsTheRadiologicalSetting) {
     auto frame = request({0, 0, 100}, {0, 1, 0});
     auto marks = annotations(frame, model::FrameState::kInteractive, 1, {});
