@@ -56,11 +56,9 @@ void readRayMarch(const v1::RayMarchSettings& settings, const std::string& where
     }
 }
 
-/// \param stops  by the setting, unlike Laguerre's method, of which the default is not echoed
-v1::PolynomialSettings polynomialProto(const model::PolynomialSettings& settings, bool stops) {
+v1::PolynomialSettings polynomialProto(const model::PolynomialSettings& settings) {
     v1::PolynomialSettings message;
-    if (!settings.bracket_stop) message.set_stop(v1::PolynomialSettings::STOP_STEP);
-    if (settings.bracket_stop && stops) message.set_stop(v1::PolynomialSettings::STOP_BRACKET);
+    message.set_stop(settings.bracket_stop ? v1::PolynomialSettings::STOP_BRACKET : v1::PolynomialSettings::STOP_STEP);
     if (settings.tolerance) message.set_tolerance(*settings.tolerance);
     return message;
 }
@@ -79,7 +77,9 @@ void setMethodSettings(v1::Quality& message, const model::Quality& quality) {
                         method == Intersection::kTensorAffine;
     const model::Quality unset;
     if (model::byPolynomial(method) || quality.polynomial != unset.polynomial) {
-        *message.mutable_polynomial() = polynomialProto(quality.polynomial, method != Intersection::kLaguerre);
+        *message.mutable_polynomial() = polynomialProto(quality.polynomial);
+        // Which has no stop; absent it is read as the one that is left out here.
+        if (method == Intersection::kLaguerre && quality.polynomial.bracket_stop) message.mutable_polynomial()->clear_stop();
     }
     if (model::byEqualSteps(method) || quality.ray_march != unset.ray_march) {
         *message.mutable_ray_march() = rayMarchProto(quality.ray_march);
