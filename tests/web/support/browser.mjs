@@ -66,7 +66,7 @@ export async function nativeOptions(page) {
     "--plane", word(glyphs.selection.slice.plane, "PLANE_"),
     "--position", ...(await slicePosition(page)).map(String),
     "--scale", word(glyphs.scale.mode, "MODE_"),
-    "--lmax", String(glyphs.lmax ?? 0),
+    ...(glyphs.lmax === undefined ? [] : ["--lmax", String(glyphs.lmax)]),  // all bands, unless the page says how many
     "--lobes", word(glyphs.negativeLobes, "NEGATIVE_LOBES_"),
     "--convention", word(scene.annotations.convention, "CONVENTION_"),
   ];
