@@ -79,27 +79,33 @@ void FibletLines::begin() {
     if (model::drawsByRasteriser(plan_.pipeline)) run_.recorder.clear(target.fiblet_lines->images);
 }
 
-/// Constants 0 to 9 of all these shaders; see there.
+/// Constants 0 to 11 of all these shaders; see there.
+std::vector<std::uint32_t> FibletLines::constants(std::uint32_t phase, bool listed, bool counts) const {
+    const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
+    return {PassRun::kGroup,
+            serial || listed ? 1U : 0U,
+            plan_.cuts,
+            plan_.states ? 1U : 0U,
+            plan_.tubes ? 1U : 0U,
+            std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
+            phase,
+            counts ? 1U : 0U,
+            std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px)),
+            plan_.segments ? 1U : 0U,
+            own_.layer().detail_segments > 0 ? 1U : 0U,
+            plan_.culling == model::FibletCulling::kCoverage ? 1U : 0U};
+}
+
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
     using gpu::ShaderStage;
     const bool serial = plan_.pipeline == model::FibletPipeline::kMeshSerial;
     const bool meshes = serial || plan_.pipeline == model::FibletPipeline::kMesh;
-    const std::vector<std::uint32_t> constants{
-        PassRun::kGroup,
-        meshes ? (serial ? 1U : 0U) : (listed ? 1U : 0U),
-        plan_.cuts,
-        plan_.states ? 1U : 0U,
-        plan_.tubes ? 1U : 0U,
-        std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan_.line_width_px - 1)),
-        phase,
-        counts ? 1U : 0U,
-        std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px)),
-        plan_.segments ? 1U : 0U};
     gpu::Assembly assembly{.primitives = gpu::Primitives::kLineStrips, .line_width = static_cast<float>(plan_.line_width_px)};
     std::vector<std::pair<ShaderStage, std::string>> stages;
     switch (plan_.pipeline) {
         case model::FibletPipeline::kPull:
             stages = {{ShaderStage::kVertex, "fiblet_pull"}};
+            if (fewerLines()) assembly.primitives = gpu::Primitives::kLines;
             break;
         case model::FibletPipeline::kLines:
             stages = {{ShaderStage::kVertex, "fiblet_lines"}};
@@ -121,7 +127,7 @@ const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool lis
             assembly.primitives = gpu::Primitives::kLines;
     }
     stages.emplace_back(ShaderStage::kFragment, meshes ? "fiblet_line_of_mesh" : "fiblet_line");
-    return run_.pipelines.getGraphics(stages, constants, assembly);
+    return run_.pipelines.getGraphics(stages, constants(phase, listed, counts), assembly);
 }
 
 void FibletLines::draw(bool listed, std::uint32_t first, std::uint32_t end) {
@@ -181,15 +187,18 @@ void FibletLines::meshes(std::uint32_t first, std::uint32_t end) {
 
 void FibletLines::pull(bool listed, std::uint32_t first, std::uint32_t end) {
     FibletLineBuffers& lines = *run_.target.fiblet_lines;
-    const gpu::ComputePipeline& decode = run_.pipelines.get(
-        "fiblet_decode", {PassRun::kGroup, listed ? 1U : 0U, 0U, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U});
+    const gpu::ComputePipeline& decode = run_.pipelines.get("fiblet_decode", constants(0, listed, false));
     const gpu::GraphicsPipeline& drawing = pipeline(0, listed, false);
+    // A strip for each slot; or as many lines as decode.comp finds, in the slots' room.
+    const double most = fewerLines() ? FibletLineBuffers::kListedFiblets : FibletLineBuffers::kSlots;
+    const std::uint64_t given = fewerLines() ? 4 : 0;
+    const std::uint32_t number = fewerLines() ? 1 : kSlotVertices;
     while (first < end) {
         run_.checkCancelled();
-        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, double{FibletLineBuffers::kSlots}));
+        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, most));
         const std::uint32_t count = std::min(end - first, wanted);
         run_.recorder.fill(lines.command, 0, 16, 0);
-        run_.recorder.fill(lines.command, 0, 4, kSlotVertices);
+        run_.recorder.fill(lines.command, given, 4, number);
         run_.recorder.dispatch(decode, "fiblet decode" + suffix_, PassRun::groups(count), 1, 1,
                                DecodePush{own_.layerAddress(), lines.slots.address(), lines.command.address(), first, count});
         run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, lines.images, gpu::IndirectDraw{&lines.command, 0, 1},

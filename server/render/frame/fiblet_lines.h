@@ -29,6 +29,9 @@ struct FibletLineBuffers {
     gpu::Buffer command;       ///< VkDrawIndirectCommand; pull only
 
     static constexpr std::uint32_t kSlots = 16'384;
+    /// Whose lines have room there too, as shader::FibletListedLine.
+    static constexpr std::uint32_t kListedFiblets =
+        kSlots * sizeof(shader::FibletSlot) / (shader::FIBLET_SEGMENTS * sizeof(shader::FibletListedLine));
     /// Makes room for a picture; keeps what fits. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, std::uint32_t width, std::uint32_t height, model::FibletPipeline pipeline);
 };
@@ -48,6 +51,9 @@ public:
     void drawPages(std::uint32_t phase, std::uint32_t first, std::uint32_t end, bool counts);
 
 private:
+    /// Whether lines may stand for many segments (shaders/fiblet/line_detail.glsl).
+    bool fewerLines() const { return own_.layer().detail_segments > 0 || plan_.culling == model::FibletCulling::kCoverage; }
+    std::vector<std::uint32_t> constants(std::uint32_t phase, bool listed, bool counts) const;
     const gpu::GraphicsPipeline& pipeline(std::uint32_t phase, bool listed, bool counts);
     void pull(bool listed, std::uint32_t first, std::uint32_t end);
     void meshes(std::uint32_t first, std::uint32_t end);

@@ -183,7 +183,7 @@ private:
         own_.layer().segments = run_.list.layers[index_].fibres->segmentAddress();
         own_.layer().end_slack = static_cast<float>(end_slack);
         own_.layer().detail_px = plan_.detail_px;
-        detail_ = detailSegments(view);
+        own_.layer().detail_segments = detailSegments(view);
         if (plan_.mesh_cut) findCutDepths(run_, *run_.list.layers[index_].fibres->filter, own_, suffix_);
         own_.drawn = own_.pages_wanted = own_.pages_left_out = own_.pages_missing = 0;
         run_.target.look(index_).tangents = own_.tangents.address();
@@ -217,7 +217,7 @@ private:
             withPaged(plan_, {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U,
                               plan_.lines && atomic() ? 1U : 0U, plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U,
                               plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U, peeling_ ? 1U : 0U, counting_ ? 1U : 0U,
-                              finding_ ? 1U : 0U, peels_ ? 0U : detail_, coverage() && !peels_ ? 1U : 0U,
+                              finding_ ? 1U : 0U, peels_ ? 0U : own_.layer().detail_segments, coverage() && !peels_ ? 1U : 0U,
                               plan_.mesh_cut ? 1U : 0U, plan_.mesh_outside ? 1U : 0U}));
         while (first < end) {
             run_.checkCancelled();
@@ -367,7 +367,6 @@ private:
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
-    std::uint32_t detail_ = 0;
     bool first_;                               ///< nothing is in the surface buffer, or peel surface, yet
     bool peels_ = false;                       ///< segment by segment, one behind the other
     bool finding_ = false;                     ///< fibres in an outline are noted, nothing is drawn
