@@ -66,7 +66,7 @@ bool drawsTriangles(const model::FrameRequest& request, const model::Layer& laye
     return layer.opacity >= 1 && request.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes;
 }
 
-bool resident(store::Store& store, const model::FrameRequest& request) {
+bool resident(const render::Renderer& renderer, store::Store& store, const model::FrameRequest& request) {
     const std::vector<std::string> ids = datasetsOf(request);
     if (!std::ranges::all_of(ids, [&](const std::string& id) { return store.resident(id); })) return false;
     const bool volumes = std::ranges::all_of(request.scene.layers, [&](const model::Layer& layer) {
@@ -76,17 +76,17 @@ bool resident(store::Store& store, const model::FrameRequest& request) {
                (!surface->colour_by || store.volumeResident(surface->colour_by->image_id)) &&
                (!drawsTriangles(request, layer) || store.trianglesResident(surface->dataset_id, surface->isovalue));
     });
-    // A request that cannot be drawn names no file: whoever draws it says what is wrong with it.
+    // A request that cannot be drawn is not waited for: whoever draws it says what is wrong with it.
     try {
-        return volumes && std::ranges::all_of(render::savedFiles(store, request), [&](const render::SavedFile& saved) {
-                   return store.savedLattices().resident(saved.file);
-               });
+        return volumes && renderer.holdsFibres(request) &&
+               std::ranges::all_of(render::savedFiles(store, request),
+                                   [&](const render::SavedFile& saved) { return store.savedLattices().resident(saved.file); });
     } catch (const Error&) {
         return true;
     }
 }
 
-void load(store::Store& store, const model::FrameRequest& request) {
+void load(render::Renderer& renderer, store::Store& store, const model::FrameRequest& request) {
     for (const std::string& id : datasetsOf(request)) store.info(id);
     for (const model::Layer& layer : request.scene.layers) {
         const model::IsosurfaceLayer* surface = layer.ifSurface();
@@ -95,6 +95,7 @@ void load(store::Store& store, const model::FrameRequest& request) {
         if (surface->colour_by) store.volume(surface->colour_by->image_id);
         if (drawsTriangles(request, layer)) store.triangles(surface->dataset_id, surface->isovalue);
     }
+    renderer.bringFibres(request);
     for (const render::SavedFile& saved : render::savedFiles(store, request)) {
         store.savedLattices().read(saved.file, saved.header);
     }
@@ -126,8 +127,8 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
         const auto subset = model::subsetOf(store.tracts(id), select(store, id, selection).fibres);
         return io::writeTractogram(*subset, file);
     };
-    backend.resident = [&store](const model::FrameRequest& request) { return resident(store, request); };
-    backend.load = [&store](const model::FrameRequest& request) { load(store, request); };
+    backend.resident = [&renderer, &store](const model::FrameRequest& request) { return resident(renderer, store, request); };
+    backend.load = [&renderer, &store](const model::FrameRequest& request) { load(renderer, store, request); };
     backend.device = renderer.deviceName();
     backend.traversals = renderer.traversals();
     return backend;

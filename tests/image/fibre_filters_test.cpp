@@ -1,6 +1,8 @@
 // What regions, columns and selections leave of a layer of fibres, and what colours it, against the segments in double.
+#include <atomic>
 #include <cmath>
 #include <set>
+#include <thread>
 
 #include "build/sphere_mesh.h"
 #include "image/fibre_scenes.h"
@@ -318,6 +320,42 @@ TEST_F(FibreFilters, CoverWhatTheirWidthSays) {
     EXPECT_GT(count, 200);
     EXPECT_LT(worst, 0.1);
     EXPECT_LT(sum / count, 0.025);
+}
+
+/// Selections, cuts and colours that another thread makes while this one draws: pictures are those of what the render thread
+/// makes itself, and what is kept is found.
+TEST_F(FibreFilters, AreMadeBesideTheRenderThread) {
+    const model::FrameRequest drawn = request;
+    const auto wanted = [&](int i) {
+        model::FrameRequest one = drawn;
+        model::TractogramLayer& fibres = one.scene.layers[0].tracts();
+        fibres.shown.selection = "any sphere(" + std::to_string(i - 10) + ", 0, 0, 8)";
+        if (i % 2 == 0) fibres.region_cuts.push_back({.region = "sphere(0, 0, 0, " + std::to_string(5 + i) + ")"});
+        if (i % 3 == 0) fibres.colour.mode = model::FibreColourMode::kLength;
+        return one;
+    };
+    std::vector<model::Frame> own;
+    for (int i = 0; i < 4; ++i) own.push_back(draw(wanted(i)));
+    EXPECT_TRUE(renderer.holdsFibres(wanted(3)));
+    const model::Frame all = draw(drawn);
+    std::atomic<bool> done = false;
+    std::thread other([&] {
+        for (int i = 23; i >= 0; --i) renderer.bringFibres(wanted(i));
+        done = true;
+    });
+    int others = 0;
+    do {
+        others += draw(drawn).pixels.rgba != all.pixels.rgba;
+    } while (!done);
+    other.join();
+    EXPECT_EQ(others, 0);
+    EXPECT_FALSE(renderer.holdsFibres(wanted(23))) << "others took its place";
+    for (int i = 0; i < 4; ++i) {
+        EXPECT_TRUE(renderer.holdsFibres(wanted(i))) << i;
+        const model::Frame brought = draw(wanted(i));
+        EXPECT_EQ(brought.pixels.id, own[static_cast<std::size_t>(i)].pixels.id) << i;
+        EXPECT_EQ(brought.pixels.rgba, own[static_cast<std::size_t>(i)].pixels.rgba) << i;
+    }
 }
 
 }  // namespace

@@ -179,6 +179,18 @@ TEST_F(Volumes, AllThatAPictureNeedsIsBroughtBesideTheRenderThread) {
     backend.load(tracts);
     for (const char* id : {"mask", "tissue", "region"}) EXPECT_TRUE(store.resident(id)) << id;
     EXPECT_TRUE(backend.resident(tracts));
+    layer.line_width_px = 2;
+    tracts.scene.layers[0].content = layer;
+    EXPECT_TRUE(backend.resident(tracts)) << "a line's width changes nothing about which fibres there are";
+    layer.shown.selection = "any sphere(0, 0, 0, 5)";
+    tracts.scene.layers[0].content = layer;
+    EXPECT_FALSE(backend.resident(tracts)) << "fibres are decoded for another region";
+    backend.load(tracts);
+    EXPECT_TRUE(backend.resident(tracts));
+    layer.shown.selection = "column(nothing, 0, 1)";
+    tracts.scene.layers[0].content = layer;
+    EXPECT_FALSE(backend.resident(tracts));
+    EXPECT_THROW(backend.load(tracts), Error);
     layer.region_cuts[0].region = "mesh(nobody)";
     tracts.scene.layers[0].content = layer;
     EXPECT_THROW(backend.resident(tracts), Error);

@@ -359,6 +359,10 @@ std::vector<std::string> Renderer::traversals() const {
     return names;
 }
 
+bool Renderer::holdsFibres(const model::FrameRequest& request) const { return impl_->tracts.hold(impl_->store, request); }
+
+void Renderer::bringFibres(const model::FrameRequest& request) { impl_->tracts.bring(impl_->device, impl_->store, request); }
+
 std::vector<std::string> Renderer::testFibrePipelines() { return impl_->fibre_test->testAll(); }
 
 const std::string& Renderer::deviceName() const { return impl_->device_name; }

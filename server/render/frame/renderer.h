@@ -32,7 +32,7 @@ public:
     std::unique_ptr<Impl> impl_;
 };
 
-/// Not thread-safe: one thread renders. Device and store must outlive it.
+/// One thread renders; any thread may call what says so. Device and store must outlive it.
 class Renderer {
 public:
     /// Runs the start-up self-test: draws a known picture on each traversal path and drops a path whose picture is wrong.
@@ -73,6 +73,12 @@ public:
     /// \param outline  as for model::pixelsIn(). \throws as pick() and model::pixelsIn()
     std::vector<model::PickedFibres> pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,
                                                 bool through);
+
+    /// Whether all that the request draws of fibres is on the device: tractograms, what is selected of them, what colours them.
+    /// Any thread; answers at once, if the store has the tractograms. \throws as store::Store::fiblets()
+    bool holdsFibres(const model::FrameRequest& request) const;
+    /// Brings it there, which may take long; render() finds it, or else does so itself. Any thread. \throws as render()
+    void bringFibres(const model::FrameRequest& request);
 
     /// GPU ms of the glyph passes' traversal alone over the finished picture in the target: it visits the boxes that the glyph
     /// pass visited up to each pixel's hit and intersects nothing. For measurements. \throws Error(kInternal) for another
