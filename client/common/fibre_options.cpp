@@ -232,7 +232,8 @@ void addFibreOptions(CLI::App& app, FibreOptions& options) {
                    "Which fiblets are decoded (default auto: two-phase, or frustum where that takes less time)")
         ->check(CLI::IsMember({"auto", "two-phase", "frustum", "none", "coverage"}));
     app.add_option("--fiblet-detail", options.detail_px,
-                   "Draw fibres with fewer lines that are off by so many pixels at most, 0.05 to 16");
+                   "Draw fibres with fewer lines that are off by so many pixels at most, 0.05 to 16; by any pipeline but lines "
+                   "and points");
     app.add_option("--freeze-culling", options.frozen,
                    "Draw only what is seen of the fibres from this camera: a JSON file or JSON text")
         ->type_name("FILE|JSON");

@@ -168,15 +168,27 @@ const std::vector<FeatureRow> kTable = {
      "the fiblet pipeline geometry",
      "refusing it",
      {},
-     [](const Abilities& a) { return a.draws && a.features.core.features.geometryShader == VK_TRUE; },
-     [](FeatureChain& f) { f.core.features.geometryShader = VK_TRUE; }},
+     [](const Abilities& a) {
+         return a.draws && a.features.core.features.geometryShader == VK_TRUE &&
+                a.features.core.features.vertexPipelineStoresAndAtomics == VK_TRUE;
+     },
+     [](FeatureChain& f) {
+         f.core.features.geometryShader = VK_TRUE;
+         f.core.features.vertexPipelineStoresAndAtomics = VK_TRUE;
+     }},
     {"tessellation_shader",
      Feature::kTessellationShader,
      "the fiblet pipeline tessellation",
      "refusing it",
      {},
-     [](const Abilities& a) { return a.draws && a.features.core.features.tessellationShader == VK_TRUE; },
-     [](FeatureChain& f) { f.core.features.tessellationShader = VK_TRUE; }},
+     [](const Abilities& a) {
+         return a.draws && a.features.core.features.tessellationShader == VK_TRUE &&
+                a.features.core.features.vertexPipelineStoresAndAtomics == VK_TRUE;
+     },
+     [](FeatureChain& f) {
+         f.core.features.tessellationShader = VK_TRUE;
+         f.core.features.vertexPipelineStoresAndAtomics = VK_TRUE;
+     }},
     {"mesh_subgroups",
      Feature::kMeshSubgroups,
      "prefixes over the invocations of a mesh shader",

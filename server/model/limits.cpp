@@ -347,6 +347,10 @@ void validate(const FrameRequest& request, const Limits& limits) {
             refuse("quality.fiblet_detail_px is " + std::to_string(*detail) + "; it must be " + std::to_string(kDetailMinPx) +
                    " to " + std::to_string(kDetailMaxPx) + " pixels");
         }
+        if (drawsUncompressed(request.quality.fiblet_pipeline)) {
+            refuse("quality.fiblet_detail_px draws fewer lines than fiblets have segments; quality.fiblet_pipeline is " +
+                   std::string(pipelineName(request.quality.fiblet_pipeline)) + ", which draws every uncompressed point");
+        }
     }
     checkTensorMarch(request.quality.tensor_march);
     checkIsosurfaces(request.quality.isosurface);

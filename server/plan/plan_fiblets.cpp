@@ -147,10 +147,7 @@ void planFiblets(std::size_t index, const LayerFacts& facts, const Abilities& ab
     fiblets.cuts = static_cast<std::uint32_t>(layer.cuts.size());
     fiblets.line_width_px = layer.line_width_px;
     fiblets.tube_radius_mm = layer.tube_radius_mm.value_or(0);
-    // The others draw every segment.
-    if (fiblets.pipeline == model::FibletPipeline::kAtomic) {
-        fiblets.detail_px = plan.resolved.quality.fiblet_detail_px.value_or(0);
-    }
+    fiblets.detail_px = quality.fiblet_detail_px.value_or(0);
     fiblets.paged = facts.paged;
     if (fiblets.paged) {
         plan.paged_layers |= 1U << index;

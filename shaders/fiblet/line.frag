@@ -1,5 +1,5 @@
-// One pixel of a segment that the device's rasteriser has drawn, by whichever pipeline: depth at the pixel's centre along the
-// segment's longer axis, as raster.comp has it, and who it is.
+// One pixel of a line that the device's rasteriser has drawn, by whichever pipeline: depth at the pixel's centre along the line's longer
+// axis, as raster.comp has it, and who it is.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #ifdef MESH
@@ -13,27 +13,35 @@
 #include "shaders/common/fibre_directions.glsl"
 
 layout(constant_id = 2) const uint kCuts = 0u;
-
 layout(constant_id = 9) const bool kSegments = false;  // some segments are left out
+layout(constant_id = 10) const bool kDetail = false;   // lines may stand for many segments, of which none is left out then
+layout(constant_id = 11) const bool kSmallAsLines = false;
 
 layout(push_constant, scalar) uniform Push { LayerBuffer layer; } push;
 
 layout(location = 0) PER_SEGMENT in vec4 from;  // eye points of the ends
 layout(location = 1) PER_SEGMENT in vec4 to;
-layout(location = 2) PER_SEGMENT in uint who;
+layout(location = 2) PER_SEGMENT in uvec2 who;  // the first segment that it stands for, and how many
 layout(location = 0) out uvec4 words;  // who, depth, tangent, 0
 
 void main() {
     const FibletView view = push.layer.layer.view;
-    if (who == FIBLET_NOBODY) discard;
-    if (kSegments && (WordBuffer(push.layer.layer.segments).at[who >> FIBLET_SEGMENT_BITS] >> (who & FIBLET_SEGMENTS) & 1ul) == 0ul) discard;
+    if (who.x == FIBLET_NOBODY) discard;
+    if (kSegments && (WordBuffer(push.layer.layer.segments).at[who.x >> FIBLET_SEGMENT_BITS] >> (who.x & FIBLET_SEGMENTS) & 1ul) == 0ul) discard;
     const vec3 way = to.xyz - from.xyz;
     vec4 a = from, b = to;
+    vec2 shares = vec2(0.0, 1.0);  // of the whole line at a and b
     if (min(a.z, b.z) < view.near_depth) {
         if (!(max(a.z, b.z) >= view.near_depth)) discard;
-        const vec4 crossing = mix(a, b, (view.near_depth - a.z) / (b.z - a.z));
-        if (a.z < view.near_depth) a = crossing;
-        else b = crossing;
+        const float at = (view.near_depth - a.z) / (b.z - a.z);
+        const vec4 crossing = mix(a, b, at);
+        if (a.z < view.near_depth) {
+            a = crossing;
+            shares.x = at;
+        } else {
+            b = crossing;
+            shares.y = at;
+        }
     }
     const vec2 pixel_a = fibletPixel(view, a), pixel_b = fibletPixel(view, b);
     const vec2 along = pixel_b - pixel_a, at = floor(gl_FragCoord.xy) + vec2(view.window_x, view.window_y) + 0.5;
@@ -54,6 +62,8 @@ void main() {
             if (dot(push.layer.layer.cuts[i].normal, p) > push.layer.layer.cuts[i].offset) discard;
         }
     }
+    uint here = who.x;
+    if (kDetail || kSmallAsLines) here += min(uint(mix(shares.x, shares.y, s) * float(who.y)), who.y - 1u);
     gl_FragDepth = depthOfParameter(eye.z);
-    words = uvec4(who, floatBitsToUint(eye.z), packLine(way.x * right + way.y * up + way.z * view.forward), 0u);
+    words = uvec4(here, floatBitsToUint(eye.z), packLine(way.x * right + way.y * up + way.z * view.forward), 0u);
 }

@@ -15,17 +15,17 @@ layout(push_constant, scalar) uniform Push {
 
 layout(location = 0) flat out vec4 from;  // of the segment that begins here
 layout(location = 1) flat out vec4 to;
-layout(location = 2) flat out uint who;
+layout(location = 2) flat out uvec2 who;  // and number of segments
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
     const FibreVertex vertex = push.vertices.at[gl_VertexIndex];
-    who = vertex.who;
+    who = uvec2(vertex.who, 1u);
     from = fibletEyePoint(layer.view, vertex.point);
     to = fibletEyePoint(layer.view, push.vertices.at[gl_VertexIndex + 1].point);
     gl_Position = fibletClip(layer.view, from);
     if (kSelection) {
-        const uint state = fibreState(layer, HeadBuffer(layer.heads).at[who >> FIBLET_SEGMENT_BITS].fibre);
+        const uint state = fibreState(layer, HeadBuffer(layer.heads).at[vertex.who >> FIBLET_SEGMENT_BITS].fibre);
         if (state == FIBRE_HIDDEN || (kTubes && state == FIBRE_SELECTED)) gl_Position = nowhere();
     }
 }

@@ -9,19 +9,20 @@ layout(isolines, equal_spacing) in;
 
 layout(push_constant, scalar) uniform Push { LayerBuffer layer; } push;
 
-layout(location = 0) in vec3 points[][kPartPoints];
-layout(location = 16) patch in uvec2 fiblet_and_segments;
+layout(location = 0) in vec4 points[][kPartPoints];
+layout(location = 16) patch in uvec2 fiblet_and_lines;
 layout(location = 0) flat out vec4 from;  // of the segment that begins here
 layout(location = 1) flat out vec4 to;
-layout(location = 2) flat out uint who;
+layout(location = 2) flat out uvec2 who;  // and number of segments
 
-vec4 eyeOf(FibletView view, uint point) { return fibletEyePoint(view, points[point / kPartPoints][point % kPartPoints]); }
+vec4 pointOf(uint point) { return points[point / kPartPoints][point % kPartPoints]; }
 
 void main() {
     const FibletView view = push.layer.layer.view;
-    const uint segments = fiblet_and_segments.y, point = uint(gl_TessCoord.x * float(segments) + 0.5);
-    from = eyeOf(view, point);
-    to = eyeOf(view, min(point + 1u, segments));
-    who = fiblet_and_segments.x << FIBLET_SEGMENT_BITS | point;
+    const uint lines = fiblet_and_lines.y, point = uint(gl_TessCoord.x * float(lines) + 0.5);
+    const vec4 here = pointOf(point), next = pointOf(min(point + 1u, lines));
+    from = fibletEyePoint(view, here.xyz);
+    to = fibletEyePoint(view, next.xyz);
+    who = uvec2(fiblet_and_lines.x << FIBLET_SEGMENT_BITS | uint(here.w), uint(next.w - here.w));
     gl_Position = fibletClip(view, from);
 }

@@ -82,11 +82,13 @@ struct FibletLayerParams {
     uint64_t next;    // uint[fiblets]: that goes on along the fibre, or FIBLET_NOBODY; 0: nobody looks at it
     float detail_px;  // pixels that lines may be off
     float end_slack;  // mm that a fiblet's end may be from the start of the next
+    uint detail_segments;  // that follow each other and may become one line: a power of two; 0: none do
+    uint pad;
     uint64_t places;  // FibletPlaces of a tractogram beyond the memory budget; 0: all of it lies in its own order
     uint64_t cut_front;  // uint[pixels]: order of depths of the cutting mesh's nearest front face; FIBLET_NOBODY: none
     uint64_t cut_back;   // uint[pixels]: of its farthest back face; 0: none
 };
-STATIC_SIZE(FibletLayerParams, 472);
+STATIC_SIZE(FibletLayerParams, 480);
 
 // Where the fiblets of a page lie that are in device memory, of a tractogram beyond the memory budget: all, or those of the subset.
 struct FibletPlace {
@@ -111,6 +113,15 @@ struct FibletSlot {
     vec4 eye[64];  // points as fibletEyePoint() has them; segments + 1 are set
 };
 STATIC_SIZE(FibletSlot, 1032);
+
+// A line that stands for some segments of a fiblet, on its way to the rasteriser.
+struct FibletListedLine {
+    vec4 from;  // as fibletEyePoint() has them
+    vec4 to;
+    uint who;    // the first of the segments
+    uint count;  // of segments
+};
+STATIC_SIZE(FibletListedLine, 40);
 
 // A point of a fibre without compression. Of the last point of a fibre `who` is that of the point before.
 struct FibreVertex {
