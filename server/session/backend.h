@@ -56,6 +56,10 @@ struct Backend {
     std::function<bool(const model::FrameRequest& request)> resident;
     /// Brings them there, which may take long. \throws what rendering the request would
     std::function<void(const model::FrameRequest& request)> load;
+    /// Whether what is made of that for the request is there too, such as selections of fibres, and makes it, which may take
+    /// long: once resident() says yes. Empty: nothing is. \throws as load
+    std::function<bool(const model::FrameRequest& request)> made;
+    std::function<void(const model::FrameRequest& request)> make;
 
     std::string device;
     std::vector<std::string> traversals;

@@ -42,7 +42,7 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
         throw Error(Code::kInvalidArgument,
                     "window is " + std::to_string(window) + "; it must be 1 to " + std::to_string(settings_.limits.window_max));
     }
-    const bool ready = backend_.resident(request);
+    const bool there = ready(request);
     std::lock_guard lock(mutex_);
     refuseWhenStopping();
     if (views_.size() >= static_cast<std::size_t>(settings_.limits.views_max)) {
@@ -50,9 +50,9 @@ std::uint64_t Conductor::open(const model::FrameRequest& request, int window, Vi
                                                   " are open, which is the limit; close one or try again later");
     }
     const std::uint64_t id = ++last_id_;
-    if (!ready) load(id, request);
+    if (!there) load(id, request);
     views_.emplace(
-        id, std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), !ready}));
+        id, std::make_shared<Entry>(Entry{View(request, window, settings_.pace, Clock::now()), std::move(callbacks), !there}));
     changed_.notify_all();
     return id;
 }
@@ -67,7 +67,7 @@ void Conductor::update(std::uint64_t id, const Change& change) {
         const model::FrameRequest merged = view.merged(change);
         model::validate(merged, settings_.limits);
         // While one load is under way the next waits, so that who drags an isovalue waits for the last value, not for all.
-        if ((change.scene || change.quality) && !found->second->loading && !backend_.resident(merged)) {
+        if ((change.scene || change.quality) && !found->second->loading && !ready(merged)) {
             load(id, merged);
             found->second->loading = true;
         }
@@ -77,6 +77,10 @@ void Conductor::update(std::uint64_t id, const Change& change) {
         running_->cancel = true;
     }
     changed_.notify_all();
+}
+
+bool Conductor::ready(const model::FrameRequest& request) const {
+    return backend_.resident(request) && (!backend_.made || backend_.made(request));
 }
 
 /// With the lock held, before the view or job counts it: the answer waits for the lock.
@@ -89,6 +93,7 @@ void Conductor::load(std::uint64_t id, const model::FrameRequest& request) {
         std::optional<Error> failure;
         try {
             backend_.load(request);
+            if (backend_.make) backend_.make(request);
         } catch (...) {
             failure = currentError();
         }
@@ -103,7 +108,7 @@ void Conductor::loaded(std::uint64_t id, const std::optional<Error>& failure) {
         std::optional<Error> problem = failure;
         try {
             const model::FrameRequest latest = found->second->view.merged({});
-            found->second->loading = !problem && !backend_.resident(latest);
+            found->second->loading = !problem && !ready(latest);
             if (found->second->loading) load(id, latest);
         } catch (...) {
             problem = currentError();
@@ -157,7 +162,7 @@ void Conductor::endView(Lock& lock, std::uint64_t id, const Error& error) {
 
 std::uint64_t Conductor::render(RenderJob job) {
     model::validate(job.request, settings_.limits);
-    const bool ready = backend_.resident(job.request);
+    const bool there = ready(job.request);
     std::lock_guard lock(mutex_);
     refuseWhenStopping();
     if (jobs_.size() >= static_cast<std::size_t>(settings_.jobs_max)) {
@@ -165,9 +170,9 @@ std::uint64_t Conductor::render(RenderJob job) {
                                                   " are waiting, which is the limit; try again later");
     }
     const std::uint64_t id = ++last_id_;
-    if (!ready) load(id, job.request);
+    if (!there) load(id, job.request);
     auto progress = std::make_shared<JobProgress>();
-    progress->loading = !ready;
+    progress->loading = !there;
     progress->job = std::move(job);
     progress->arrival = Clock::now();
     jobs_.emplace(id, std::move(progress));

@@ -92,6 +92,8 @@ private:
     };
     using Lock = std::unique_lock<std::mutex>;
 
+    /// Whether nothing has to be brought for it.
+    bool ready(const model::FrameRequest& request) const;
     void load(std::uint64_t id, const model::FrameRequest& request);
     void loaded(std::uint64_t id, const std::optional<Error>& failure);
     void work();

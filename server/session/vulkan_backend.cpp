@@ -66,7 +66,7 @@ bool drawsTriangles(const model::FrameRequest& request, const model::Layer& laye
     return layer.opacity >= 1 && request.quality.isosurface.method == model::SurfaceMethod::kMarchingCubes;
 }
 
-bool resident(const render::Renderer& renderer, store::Store& store, const model::FrameRequest& request) {
+bool resident(store::Store& store, const model::FrameRequest& request) {
     const std::vector<std::string> ids = datasetsOf(request);
     if (!std::ranges::all_of(ids, [&](const std::string& id) { return store.resident(id); })) return false;
     const bool volumes = std::ranges::all_of(request.scene.layers, [&](const model::Layer& layer) {
@@ -76,17 +76,17 @@ bool resident(const render::Renderer& renderer, store::Store& store, const model
                (!surface->colour_by || store.volumeResident(surface->colour_by->image_id)) &&
                (!drawsTriangles(request, layer) || store.trianglesResident(surface->dataset_id, surface->isovalue));
     });
-    // A request that cannot be drawn is not waited for: whoever draws it says what is wrong with it.
+    // A request that cannot be drawn names no file: whoever draws it says what is wrong with it.
     try {
-        return volumes && renderer.holdsFibres(request) &&
-               std::ranges::all_of(render::savedFiles(store, request),
-                                   [&](const render::SavedFile& saved) { return store.savedLattices().resident(saved.file); });
+        return volumes && std::ranges::all_of(render::savedFiles(store, request), [&](const render::SavedFile& saved) {
+                   return store.savedLattices().resident(saved.file);
+               });
     } catch (const Error&) {
         return true;
     }
 }
 
-void load(render::Renderer& renderer, store::Store& store, const model::FrameRequest& request) {
+void load(store::Store& store, const model::FrameRequest& request) {
     for (const std::string& id : datasetsOf(request)) store.info(id);
     for (const model::Layer& layer : request.scene.layers) {
         const model::IsosurfaceLayer* surface = layer.ifSurface();
@@ -95,23 +95,43 @@ void load(render::Renderer& renderer, store::Store& store, const model::FrameReq
         if (surface->colour_by) store.volume(surface->colour_by->image_id);
         if (drawsTriangles(request, layer)) store.triangles(surface->dataset_id, surface->isovalue);
     }
-    renderer.bringFibres(request);
     for (const render::SavedFile& saved : render::savedFiles(store, request)) {
         store.savedLattices().read(saved.file, saved.header);
     }
 }
 
+/// Of the views; only the render thread touches them. One view's memory waits for the next one's.
+class Targets {
+public:
+    render::Target& of(std::uint64_t view) {
+        const auto [entry, is_new] = targets_.try_emplace(view);
+        if (is_new) std::swap(entry->second, spare_);
+        return entry->second;
+    }
+
+    void release(std::uint64_t view) {
+        const auto entry = targets_.find(view);
+        if (entry == targets_.end()) return;
+        spare_ = std::move(entry->second);
+        spare_.forget();
+        targets_.erase(entry);
+    }
+
+private:
+    std::map<std::uint64_t, render::Target> targets_;
+    render::Target spare_;
+};
+
 }  // namespace
 
 Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
-    // Only the render thread touches the targets.
-    const auto targets = std::make_shared<std::map<std::uint64_t, render::Target>>();
+    const auto targets = std::make_shared<Targets>();
     Backend backend;
     backend.render = [&renderer, targets](std::uint64_t view, const model::FrameRequest& request, int first_sample, int count,
                                           const model::Outputs& outputs, const std::atomic<bool>* cancel) {
-        return renderer.render((*targets)[view], request, first_sample, count, outputs, cancel);
+        return renderer.render(targets->of(view), request, first_sample, count, outputs, cancel);
     };
-    backend.release = [targets](std::uint64_t view) { targets->erase(view); };
+    backend.release = [targets](std::uint64_t view) { targets->release(view); };
     backend.fit_camera = [&renderer](const std::string& id, const model::VoxelSelection& selection,
                                      model::Convention convention,
                                      double aspect) { return renderer.fitCamera(id, selection, convention, aspect); };
@@ -127,8 +147,17 @@ Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
         const auto subset = model::subsetOf(store.tracts(id), select(store, id, selection).fibres);
         return io::writeTractogram(*subset, file);
     };
-    backend.resident = [&renderer, &store](const model::FrameRequest& request) { return resident(renderer, store, request); };
-    backend.load = [&renderer, &store](const model::FrameRequest& request) { load(renderer, store, request); };
+    backend.resident = [&store](const model::FrameRequest& request) { return resident(store, request); };
+    backend.load = [&store](const model::FrameRequest& request) { load(store, request); };
+    // A request that cannot be drawn is not waited for: whoever draws it says what is wrong with it.
+    backend.made = [&renderer](const model::FrameRequest& request) {
+        try {
+            return renderer.holdsFibres(request);
+        } catch (const Error&) {
+            return true;
+        }
+    };
+    backend.make = [&renderer](const model::FrameRequest& request) { renderer.bringFibres(request); };
     backend.device = renderer.deviceName();
     backend.traversals = renderer.traversals();
     return backend;
