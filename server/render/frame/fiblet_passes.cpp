@@ -9,6 +9,7 @@
 #include "render/frame/fiblet_coverage.h"
 #include "render/frame/fiblet_cull.h"
 #include "render/frame/fiblet_cut.h"
+#include "render/frame/fibre_light.h"
 
 namespace radiata::render {
 namespace {
@@ -45,11 +46,8 @@ public:
         if (run_.list.frozen) freeze();
         prepare(run_.target.frame().rays, run_.list.camera.reference_mm);
         begin(first_);
-        if (atomic()) {
-            run_.target.fiblet_lines.reset();
-        } else {
-            lines_.begin();
-        }
+        if (atomic()) run_.target.fiblet_lines.reset();
+        if (!atomic()) lines_.begin();
         if (scene_.fibletCount() > 0 && run_.list.camera.sees_scene) {
             if (plan_.paged) {
                 drawPaged();
@@ -353,6 +351,7 @@ private:
 
     /// \param again  pixels were counted before \param marks_only  leaves the surface buffer alone
     void resolve(bool marks, bool again, bool marks_only) {
+        if (!marks_only && lightsFibres(run_)) return lightFibres(run_, plan_, own_, marks, again);
         run_.recorder.dispatch(
             run_.pipelines.get("fiblet_surface",
                                withPaged(plan_, {PassRun::kGroup, first_ ? 1U : 0U, marks ? 1U : 0U, again ? 0U : 1U,
