@@ -116,6 +116,13 @@ std::string tractResidence(const v1::Dataset& entry) {
            " pages and a subset";
 }
 
+std::string stepText(const v1::Dataset& entry) {
+    const std::string step = formatNumber(entry.step_mm(), 4) + " mm, ";
+    if (entry.set_anew_max_um() == 0) return step + "points as in the file";
+    return step + "points set anew; those of the file are off these lines by " + formatNumber(entry.set_anew_mean_um(), 1) +
+           " um on average, " + formatNumber(entry.set_anew_max_um(), 1) + " um at most";
+}
+
 std::string describeTracts(const v1::Dataset& entry) {
     std::vector<std::string> groups;
     for (const v1::FibreGroupSize& group : entry.fibre_groups()) {
@@ -127,6 +134,7 @@ std::string describeTracts(const v1::Dataset& entry) {
          {"fibres", std::to_string(entry.fibres())},
          {"points", std::to_string(entry.points())},
          {"error um", formatNumber(entry.error_mean_um(), 2) + " mean, " + formatNumber(entry.error_max_um(), 2) + " at most"},
+         {"step", stepText(entry)},
          {"groups", joined(groups)},
          {"columns per fibre", joined(entry.fibre_columns())},
          {"columns per vertex", joined(entry.vertex_columns())},

@@ -13,9 +13,7 @@ constexpr std::size_t kFibresPerBlock = 8;
 }  // namespace
 
 FibletBatches::FibletBatches(const FibletPlan& plan, const model::TractogramHeader& header, const FibletOptions& options)
-    : encoder_(plan.set.codec, plan.set.origin_mm, options, plan.set.source),
-      walk_step_mm_(plan.walk_step_mm),
-      header_(header) {
+    : encoder_(plan, options), walk_step_mm_(plan.walk_step_mm), header_(header) {
     for (std::size_t c = 0; c < header.vertex_columns.size(); ++c) {
         for (int k = 0; k < header.vertex_columns[c].components; ++k)
             components_.push_back({c, k, header.vertex_columns[c].components});

@@ -62,13 +62,13 @@ model::FibletErrors FibletBlock::errors() const {
     return {measured > 0 ? 1e-3 * double(sum_error_nm) / double(measured) : 0, 1e3 * max_error_mm, measured};
 }
 
-FibletEncoder::FibletEncoder(const shader::FibletCodec& codec, glm::dvec3 origin_mm, const FibletOptions& options,
-                             std::string source)
-    : tables_(codec, float(options.bound_um * 1e-3)),
-      origin_mm_(origin_mm),
+FibletEncoder::FibletEncoder(const FibletPlan& plan, const FibletOptions& options)
+    : tables_(plan.set.codec, float(options.bound_um * 1e-3)),
+      origin_mm_(plan.set.origin_mm),
       options_(options),
-      source_(std::move(source)),
-      bound_mm_(float(options.bound_um * 1e-3)) {}
+      source_(plan.set.source),
+      bound_mm_(float(options.bound_um * 1e-3)),
+      walked_(plan.set.walked) {}
 
 void FibletEncoder::encode(std::span<const glm::vec3> points, std::span<const std::vector<float>> values, std::uint64_t number,
                            FibletBlock& block) const {
@@ -126,11 +126,12 @@ FibletPiece FibletEncoder::choose(const FibletTargets& targets, std::uint64_t fi
     }
     if (best.max_error_mm > bound_mm_) searchAllCaps(targets, kBeamMax, best);
     if (best.max_error_mm <= bound_mm_) return best;
-    throw Error(Code::kInvalidArgument, source_ + ": fibre " + std::to_string(fibre) + " cannot be encoded within " +
-                                            std::to_string(options_.bound_um) + " um: with steps of " +
-                                            std::to_string(tables_.codec().step_mm) + " mm and places in cells of " +
-                                            std::to_string(tables_.codec().cell_mm) + " mm the least error found is " +
-                                            std::to_string(1e3F * best.max_error_mm) + " um; allow that much");
+    throw UnheldBound(source_ + ": fibre " + std::to_string(fibre) + " cannot be encoded within " +
+                          std::to_string(options_.bound_um) + " um: with steps of " + std::to_string(tables_.codec().step_mm) +
+                          " mm and places in cells of " + std::to_string(tables_.codec().cell_mm) +
+                          " mm the least error found is " + std::to_string(1e3F * best.max_error_mm) +
+                          " um; allow that much, or set points anew with a smaller step",
+                      tables_.codec().step_mm, walked_);
 }
 
 /// Other caps are tried where the first misses the bound by little.

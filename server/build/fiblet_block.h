@@ -33,10 +33,11 @@ struct FibletBlock {
 /// Thread-safe.
 class FibletEncoder {
 public:
-    FibletEncoder(const shader::FibletCodec& codec, glm::dvec3 origin_mm, const FibletOptions& options, std::string source);
+    FibletEncoder(const FibletPlan& plan, const FibletOptions& options);
 
     /// \param points  of the fibre, constant steps but for the last; not empty
     /// \param values  for each point column points.size() numbers
+    /// \throws UnheldBound naming the fibre
     void encode(std::span<const glm::vec3> points, std::span<const std::vector<float>> values, std::uint64_t number,
                 FibletBlock& block) const;
 
@@ -54,6 +55,7 @@ private:
     FibletOptions options_;
     std::string source_;
     float bound_mm_;
+    bool walked_;
 };
 
 }  // namespace radiata

@@ -57,12 +57,12 @@ FibletPlan planFiblets(const OpenTractogram& open, const FibletOptions& options,
     setCaps(measures.largest_turn, plan.set.codec);
     double kept = measures.keptStepMm(options.bound_um);
     if (measures.all.length_mm == 0 && measures.all.segments == 0) kept = 1;  // single points
-    if (kept > 0 && (options.step_mm == 0 || options.step_mm == kept)) {
+    if (kept > 0 && kept <= options.longest_step_mm && (options.step_mm == 0 || options.step_mm == kept)) {
         plan.set.codec.step_mm = float(kept);
         return plan;
     }
-    const WalkChoice choice =
-        chooseWalk(*open(), measures, options.step_mm, options.walk_bound_um, batch_points, partOf(progress, 0.2, 1));
+    const WalkChoice choice = chooseWalk(*open(), measures, {options.step_mm, options.longest_step_mm, options.walk_bound_um},
+                                         batch_points, partOf(progress, 0.2, 1));
     plan.set.walked = true;
     plan.set.walk_errors = choice.errors;
     plan.set.codec.step_mm = float(choice.step_mm);
@@ -84,7 +84,9 @@ bool readFibreBatches(model::TractogramSource& source, std::size_t points,
     return true;
 }
 
-model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress) {
+namespace {
+
+model::FibletSet encodeAtOnce(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress) {
     const FibletPlan plan = planFiblets(open, options, kBatchPoints, partOf(progress, 0, 0.25));
     const std::unique_ptr<model::TractogramSource> source = open();
     const FibletBatches batches(plan, source->header(), options);
@@ -115,6 +117,13 @@ model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& 
         }
     }
     return set;
+}
+
+}  // namespace
+
+model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress) {
+    return encodeWithFinerSteps(
+        options, [&](const FibletOptions& now) { return encodeAtOnce(open, now, progress); }, [](const UnheldBound&) {});
 }
 
 model::FibletSet encodeFiblets(const model::Tractogram& tractogram, const FibletOptions& options) {

@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <span>
 #include <string>
 
 #include <glm/glm.hpp>
 
+#include "base/error.h"
 #include "build/fiblet_measure.h"
 #include "model/fiblet_set.h"
 #include "model/tractogram.h"
@@ -21,6 +23,9 @@ struct FibletOptions {
     double step_mm = 0;             ///< of all segments but each fibre's last; 0: to be chosen
     std::uint32_t beam = 8;         ///< beginnings kept while searching, up to 64; 0: none, each code the nearest to its aim
     std::uint32_t least_width = 4;  ///< bits per point at least: 4, 6, 8 or 16
+    /// Steps that are constant may be walked with smaller ones where the bound cannot be held with the points as they are.
+    bool walk_rather = false;
+    double longest_step_mm = std::numeric_limits<double>::infinity();  ///< of those to choose from
 };
 
 /// What all fiblets of a tractogram share, and how it is walked.
@@ -28,6 +33,36 @@ struct FibletPlan {
     model::FibletSet set;     ///< codec, origin, bound, source and what the walk costs; nothing else
     double walk_step_mm = 0;  ///< 0: points stay
 };
+
+/// No codes of these steps hold the bound; those of smaller ones may.
+class UnheldBound : public Error {
+public:
+    UnheldBound(const std::string& message, double step_mm, bool walked)
+        : Error(Code::kInvalidArgument, message), step_mm_(step_mm), walked_(walked) {}
+    double stepMm() const { return step_mm_; }
+    bool walked() const { return walked_; }
+
+private:
+    double step_mm_;
+    bool walked_;
+};
+
+/// Calls encode(options), and where that meets UnheldBound with a step that was free to choose, again with steps of half that
+/// length at most; a turn between chords takes its place in a code by the angle, and its error grows with the chord.
+/// \param finer  told what could not be held, before each further attempt; six at most, then the error is the last one's
+template <class Encode, class Finer>
+auto encodeWithFinerSteps(FibletOptions options, const Encode& encode, const Finer& finer) {
+    for (int left = 6;; --left) {
+        try {
+            return encode(options);
+        } catch (const UnheldBound& unheld) {
+            const bool free = options.step_mm == 0 && (unheld.walked() || options.walk_rather);
+            if (left == 0 || !free) throw;
+            finer(unheld);
+            options.longest_step_mm = 0.5 * unheld.stepMm();
+        }
+    }
+}
 
 /// Reads the tractogram once, or twice if its steps vary. \param batch_points  that are in memory at once, about
 FibletPlan planFiblets(const OpenTractogram& open, const FibletOptions& options, std::size_t batch_points,
@@ -39,10 +74,11 @@ bool readFibreBatches(model::TractogramSource& source, std::size_t points,
                       const std::function<bool(const model::FibreBatch&)>& take, const FibletProgress& progress);
 
 /// Encodes a tractogram in memory; ingest/fiblet_conversion.h makes files of such as do not fit. Fibres whose segments all have
-/// one length, but for each fibre's last, which may be shorter, keep their points; others are walked (build/fiblet_walk.h).
-/// Fibres without points stay without fiblets and keep their numbers. Equal input gives equal bytes, whatever the number of
-/// threads. \param open  gives the tractogram from its beginning; called two or three times \throws Error(kInvalidArgument)
-/// naming the fibre if a bound cannot be held or a fibre has more than 63 * 4096 segments; and as the
+/// one length, but for each fibre's last, which may be shorter, keep their points; others are walked (build/fiblet_walk.h),
+/// with a step for which codes hold the bound. Fibres without points stay without fiblets and keep their numbers. Equal input
+/// gives equal bytes, whatever the number of threads. \param open  gives the tractogram from its beginning; called two or three
+/// times \throws Error(kInvalidArgument) naming the fibre if a bound cannot be held or a fibre has more than 63 * 4096
+/// segments; and as the
 ///         source
 model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress = {});
 

@@ -13,7 +13,7 @@
 namespace radiata {
 namespace {
 
-constexpr int kSteps = 10;  ///< tried ones, each 1 / sqrt(2) of the one before
+constexpr int kSteps = 40;  ///< tried ones at most, each 1 / sqrt(2) of the one before
 
 double turnAt(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const glm::dvec3 u = b - a, v = c - b;
@@ -67,7 +67,7 @@ FibletMeasures measureTractogram(model::TractogramSource& source, std::size_t ba
     return measures;
 }
 
-WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
+WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, const WalkWish& wish,
                       std::size_t batch_points, const FibletProgress& progress) {
     struct Trial {
         double step_mm = 0, sum_mm = 0, max_mm = 0;
@@ -75,13 +75,17 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
     };
     const double segments = double(std::max<std::uint64_t>(measures.all.segments, 1));
     const double mean = measures.all.length_mm > 0 ? measures.all.length_mm / segments : 1;
+    const double longest = std::min(mean, wish.longest_mm);
     std::vector<Trial> trials;
-    for (int i = 0; i < (step_mm > 0 ? 1 : kSteps); ++i) {
-        const double step = step_mm > 0 ? step_mm : mean * std::exp2(-0.5 * i);
+    for (int i = 0; i < (wish.step_mm > 0 ? 1 : kSteps); ++i) {
+        const double step = wish.step_mm > 0 ? wish.step_mm : longest * std::exp2(-0.5 * i);
+        if (i > 0 && 1e3 * trials.back().step_mm <= wish.bound_um) break;  // no vertex is farther away than a step
         const double most = double(shader::FIBLET_SEGMENTS) * model::kFibletsPerFibre;
         if (measures.all.longest_fibre_mm / step < most - 1) {
             trials.push_back({step});
-        } else if (i == 0) {
+        } else if (i > 0) {
+            break;
+        } else {
             throw Error(Code::kInvalidArgument, source.header().source + ": the longest fibre has " +
                                                     std::to_string(measures.all.longest_fibre_mm) + " mm; steps of " +
                                                     std::to_string(step) + " mm would be more than " + std::to_string(most));
@@ -110,14 +114,14 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
         if (progress) progress(shareRead(source));
     }
     for (const Trial& trial : trials) {
-        if (1e3 * trial.max_mm > bound_um) continue;
+        if (1e3 * trial.max_mm > wish.bound_um) continue;
         const double points = double(std::max<std::uint64_t>(measures.all.points, 1));
         return {trial.step_mm, {1e3 * trial.sum_mm / points, 1e3 * trial.max_mm, measures.all.points}};
     }
     const Trial& best = *std::min_element(trials.begin(), trials.end(), [](auto& a, auto& b) { return a.max_mm < b.max_mm; });
     throw Error(Code::kInvalidArgument,
                 source.header().source + ": the points of fibre " + std::to_string(best.worst) + " cannot be kept within " +
-                    std::to_string(bound_um) + " um of a line with steps of " + std::to_string(best.step_mm) +
+                    std::to_string(wish.bound_um) + " um of a line with steps of " + std::to_string(best.step_mm) +
                     " mm; it would take " + std::to_string(1e3 * best.max_mm) + " um, or a smaller step");
 }
 

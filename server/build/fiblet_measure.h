@@ -36,15 +36,21 @@ struct FibletMeasures {
 /// \throws Error(kInvalidArgument) naming fibre and point that is not finite, and as the source
 FibletMeasures measureTractogram(model::TractogramSource& source, std::size_t batch_points, const FibletProgress& progress);
 
+struct WalkWish {
+    double step_mm = 0;     ///< to be used as it is, and held against the bound; 0: to be chosen
+    double longest_mm = 0;  ///< of the steps to choose from
+    double bound_um = 0;    ///< of the vertices' distances from the walked lines
+};
+
 struct WalkChoice {
     double step_mm = 0;
     model::FibletErrors errors;  ///< of the vertices against the walked lines
 };
 
-/// The largest of a row of steps, from the mean segment's length downwards, that keeps all vertices within the bound.
-/// \param step_mm  to be used as it is, and held against the bound; 0: to be chosen
+/// The largest of a row of steps, from the mean segment's length downwards, that keeps all vertices within the bound. The row
+/// ends below the bound, which such a step holds, or where a fibre would have too many.
 /// \throws Error(kInvalidArgument) naming the fibre that no step, or not this one, holds within the bound
-WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, double step_mm, double bound_um,
+WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& measures, const WalkWish& wish,
                       std::size_t batch_points, const FibletProgress& progress);
 
 }  // namespace radiata

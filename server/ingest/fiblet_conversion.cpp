@@ -19,9 +19,10 @@ namespace fs = std::filesystem;
 
 /// Of what the runs are; the number changes when the same input would give others.
 std::string keyOf(const FibletOptions& o, const std::string& state) {
-    std::array<char, 240> text{};
-    std::snprintf(text.data(), text.size(), "runs of fiblets 1\nbound %.17g, walk %.17g, step %.17g, beam %u, width %u\n",
-                  o.bound_um, o.walk_bound_um, o.step_mm, o.beam, o.least_width);
+    std::array<char, 320> text{};
+    std::snprintf(text.data(), text.size(),
+                  "runs of fiblets 2\nbound %.17g, walk %.17g (%d), step %.17g of %.17g at most, beam %u, width %u\n",
+                  o.bound_um, o.walk_bound_um, int(o.walk_rather), o.step_mm, o.longest_step_mm, o.beam, o.least_width);
     return text.data() + state;
 }
 
@@ -91,6 +92,10 @@ FibletProgress partOf(const FibletProgress& progress, double begin, double end) 
     };
 }
 
+Conversion convertOnce(const OpenTractogram& open, const std::string& state, const fs::path& out,
+                       const ConversionOptions& options, const FibletProgress& progress,
+                       const std::function<void(const std::string&)>& log);
+
 }  // namespace
 
 std::string stateOf(const std::vector<fs::path>& files) {
@@ -118,6 +123,22 @@ std::string stateOf(const std::vector<fs::path>& files) {
 Conversion convertToFiblets(const OpenTractogram& open, const std::string& state, const fs::path& out,
                             const ConversionOptions& options, const FibletProgress& progress,
                             const std::function<void(const std::string&)>& log) {
+    const auto convert = [&](const FibletOptions& fiblets) {
+        ConversionOptions now = options;
+        now.fiblets = fiblets;
+        return convertOnce(open, state, out, now, progress, log);
+    };
+    const auto finer = [&](const UnheldBound& unheld) {
+        if (log) log(std::string(unheld.what()) + ", which is tried now");
+    };
+    return encodeWithFinerSteps(options.fiblets, convert, finer);
+}
+
+namespace {
+
+Conversion convertOnce(const OpenTractogram& open, const std::string& state, const fs::path& out,
+                       const ConversionOptions& options, const FibletProgress& progress,
+                       const std::function<void(const std::string&)>& log) {
     const std::unique_ptr<model::TractogramSource> source = open();
     const model::TractogramHeader& header = source->header();
     const std::size_t batch_points = batchPoints(header, options.memory_bytes);
@@ -176,5 +197,7 @@ Conversion convertToFiblets(const OpenTractogram& open, const std::string& state
                                       " for the next attempt, or for you to delete");
     }
 }
+
+}  // namespace
 
 }  // namespace radiata::ingest

@@ -44,7 +44,9 @@ struct DatasetInfo {
     std::uint64_t gpu_bytes = 0;
     std::vector<FibreGroupSize> fibre_groups;                ///< of a tractogram that was read
     std::vector<std::string> fibre_columns, vertex_columns;  ///< names
-    double error_mean_um = 0, error_max_um = 0;              ///< of drawn points against those of the file
+    double error_mean_um = 0, error_max_um = 0;              ///< of drawn points against those that were encoded
+    double step_mm = 0;                                      ///< between points of tractograms
+    double set_anew_mean_um = 0, set_anew_max_um = 0;        ///< of the file's points against lines whose points were set anew
     std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram; points of a mesh too
     std::uint64_t fiblet_pages = 0, resident_pages = 0;      ///< of a tractogram that was drawn: all, and those on the device
     std::uint64_t triangles = 0;                             ///< of a mesh

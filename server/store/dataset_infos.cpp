@@ -22,6 +22,11 @@ model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set
     for (const model::PointColumn& column : set.point_columns) {
         if (column.component == 0) info.vertex_columns.push_back(column.name);
     }
+    info.step_mm = set.codec.step_mm;
+    if (set.walked) {
+        info.set_anew_mean_um = set.walk_errors.mean_um;
+        info.set_anew_max_um = set.walk_errors.max_um;
+    }
     info.error_mean_um = set.errors.mean_um;
     info.error_max_um = set.errors.max_um;
     glm::vec3 low(std::numeric_limits<float>::infinity()), high = -low;

@@ -97,11 +97,20 @@ fs::path cacheFile(const fs::path& path, const fs::path& cache) {
     return cache / (path.filename().string().substr(0, 100) + "-" + hash.hex() + ".fiblet");
 }
 
+/// What is opened is to be seen: rather lines by other points than none.
+constexpr FibletOptions kOptions{.walk_rather = true};
+
 std::string summary(const model::FibletSet& set) {
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(), "%llu fibres, %llu points, error mean %.2f um, largest %.2f um",
-                  static_cast<unsigned long long>(set.fibres()), static_cast<unsigned long long>(set.points),
-                  set.errors.mean_um, set.errors.max_um);
+    std::array<char, 320> text{};
+    int size = std::snprintf(text.data(), text.size(), "%llu fibres, %llu points, error mean %.2f um, largest %.2f um",
+                             static_cast<unsigned long long>(set.fibres()), static_cast<unsigned long long>(set.points),
+                             set.errors.mean_um, set.errors.max_um);
+    if (set.walked) {
+        std::snprintf(
+            text.data() + size, text.size() - std::size_t(size),
+            ", points set anew every %.4f mm (those of the file are off these lines by %.1f um on average, %.1f at most)",
+            double(set.codec.step_mm), set.walk_errors.mean_um, set.walk_errors.max_um);
+    }
     return text.data();
 }
 
@@ -153,6 +162,7 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
             // A folder that is full is not helped by what is left there for the next start.
             ingest::ConversionOptions conversion;
             conversion.keep_unfinished = false;
+            conversion.fiblets = kOptions;
             ingest::convertToFiblets(open, kept.filename().string(), kept, conversion, {}, say);
             if (auto set = readKept(kept, log)) {
                 set->source = path.filename().string();
@@ -164,7 +174,7 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
             say("served from memory, nothing is kept for the next start: " + std::string(error.what()));
         }
     }
-    model::FibletSet set = encodeFiblets(open, FibletOptions{});
+    model::FibletSet set = encodeFiblets(open, kOptions);
     say(summary(set));
     return set;
 }

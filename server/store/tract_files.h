@@ -18,10 +18,10 @@ bool isTractName(const std::filesystem::path& path);
 std::unique_ptr<model::TractogramSource> openTracts(const std::filesystem::path& path,
                                                     const std::function<void(const std::string&)>& log);
 
-/// Encodes with the default bound of 10 um. The cache's file is named after the source and a hash of its place, size and time
-/// of change, so a source that changed is encoded anew. A cache that cannot be written is no failure: the fibres are served
-/// from memory, and `log` says why. \param cache  folder, made if it is not there; empty: nothing is kept \throws as the reader
-/// and the encoder
+/// Encodes with the default bound of 10 um; points whose steps vary, or with which it cannot be held, are set anew. The cache's
+/// file is named after the source and a hash of its place, size and time of change, so a source that changed is encoded anew. A
+/// cache that cannot be written is no failure: the fibres are served from memory, and `log` says why. \param cache  folder,
+/// made if it is not there; empty: nothing is kept \throws as the reader and the encoder
 model::FibletSet loadTracts(const std::filesystem::path& path, const std::filesystem::path& cache,
                             const std::function<void(const std::string&)>& log);
 

@@ -28,20 +28,22 @@ float farDepth(const FibletScene& scene, const shader::FibletView& view) {
 
 }  // namespace
 
-FibletCoverage::Key FibletCoverage::keyOf(const PassRun& run, const FibletBuffers& own) {
-    Key key{own.scene_serial, own.layer().states, {run.target.width, run.target.height}, {}};
-    for (const shader::FibletCut& cut : own.layer().cuts) key.cuts.emplace_back(cut.normal, cut.offset);
+FibletCoverage::Key FibletCoverage::keyOf(const FibletRun& layer) {
+    const shader::FibletLayerParams& params = layer.own.layer();
+    Key key{layer.own.scene_serial, params.states, {layer.run.target.width, layer.run.target.height}, {}};
+    for (const shader::FibletCut& cut : params.cuts) key.cuts.emplace_back(cut.normal, cut.offset);
     return key;
 }
 
-void FibletCoverage::cull(PassRun& run, const plan::FibletPlan& plan, const FibletScene& scene, FibletBuffers& own,
-                          const std::string& suffix) {
+void FibletCoverage::cull(FibletRun& layer) {
+    PassRun& run = layer.run;
+    const FibletBuffers& own = layer.own;
     const auto texels = [](int pixels) {
         return (pixels + static_cast<int>(shader::FIBLET_TEXEL) - 1) / static_cast<int>(shader::FIBLET_TEXEL);
     };
     const int columns = texels(run.target.width), rows = texels(run.target.height);
     const std::uint64_t bytes = 4 * static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
-    known_ = known_ && key_ == keyOf(run, own) && dilated_.sizeBytes() >= bytes;
+    known_ = known_ && key_ == keyOf(layer) && dilated_.sizeBytes() >= bytes;
     ensureBytes(run.device, params_, sizeof(shader::FibletCoverageParams), gpu::Memory::kUpload, "coverage parameters");
     ensureBytes(run.device, dilated_, bytes, gpu::Memory::kDevice, "coverage");
     ensureBytes(run.device, moved_, bytes, gpu::Memory::kDevice, "moved coverage");
@@ -57,31 +59,34 @@ void FibletCoverage::cull(PassRun& run, const plan::FibletPlan& plan, const Fibl
     const CoveragePush push{own.layerAddress(), params_.address()};
     if (known_) {
         run.recorder.fill(moved_, 0, bytes, 0);
-        run.recorder.dispatch(run.pipelines.get("fiblet_coverage_move", {PassRun::kGroup}), "fiblet coverage move" + suffix,
-                              PassRun::groups(bytes / 4), 1, 1, push);
+        run.recorder.dispatch(run.pipelines.get("fiblet_coverage_move", {PassRun::kGroup}),
+                              "fiblet coverage move" + layer.suffix, PassRun::groups(bytes / 4), 1, 1, push);
     }
-    const auto margin = std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(plan.line_width_px - 1));
+    const auto margin = std::bit_cast<std::uint32_t>(0.5F * static_cast<float>(layer.plan.line_width_px - 1));
     const gpu::ComputePipeline& pipeline =
-        run.pipelines.get("fiblet_coverage_cull", {PassRun::kGroup, margin, known_ ? 1U : 0U, plan.tubes ? 1U : 0U});
-    for (std::uint32_t group = 0, end = PassRun::groups(scene.fibletCount()); group < end; group += kGroupsAtOnce) {
-        run.recorder.dispatch(pipeline, "fiblet coverage cull" + suffix, std::min(end - group, kGroupsAtOnce), 1, 1,
+        run.pipelines.get("fiblet_coverage_cull", {PassRun::kGroup, margin, known_ ? 1U : 0U, layer.plan.tubes ? 1U : 0U});
+    for (std::uint32_t group = 0, end = PassRun::groups(layer.scene.fibletCount()); group < end; group += kGroupsAtOnce) {
+        run.recorder.dispatch(pipeline, "fiblet coverage cull" + layer.suffix, std::min(end - group, kGroupsAtOnce), 1, 1,
                               CoveragePush{push.layer, push.coverage, group * PassRun::kGroup});
     }
 }
 
-void FibletCoverage::remember(PassRun& run, const FibletScene& scene, FibletBuffers& own, const std::string& suffix) {
+void FibletCoverage::remember(FibletRun& layer) {
+    PassRun& run = layer.run;
+    const FibletBuffers& own = layer.own;
     known_ = own.level_offsets.size() >= shader::FIBLET_TEXEL_LEVEL;
     if (!known_) return;  // a picture of a few pixels
     shader::FibletCoverageParams& coverage = params();
     coverage.before = own.layer().view;
     coverage.depths = own.pyramid.address() + 4 * std::uint64_t{own.level_offsets[shader::FIBLET_TEXEL_LEVEL - 1]};
-    coverage.reach = static_cast<float>(shader::FIBLET_SEGMENTS) * scene.set().codec.step_mm;
-    coverage.far_depth = farDepth(scene, coverage.before);
-    key_ = keyOf(run, own);
+    coverage.reach = static_cast<float>(shader::FIBLET_SEGMENTS) * layer.scene.set().codec.step_mm;
+    coverage.far_depth = farDepth(layer.scene, coverage.before);
+    key_ = keyOf(layer);
     const std::uint64_t texels = static_cast<std::uint64_t>(coverage.columns) * static_cast<std::uint64_t>(coverage.rows);
     run.recorder.fill(dilated_, 0, 4 * texels, 0);
-    run.recorder.dispatch(run.pipelines.get("fiblet_coverage_dilate", {PassRun::kGroup}), "fiblet coverage dilate" + suffix,
-                          PassRun::groups(texels), 1, 1, CoveragePush{own.layerAddress(), params_.address()});
+    run.recorder.dispatch(run.pipelines.get("fiblet_coverage_dilate", {PassRun::kGroup}),
+                          "fiblet coverage dilate" + layer.suffix, PassRun::groups(texels), 1, 1,
+                          CoveragePush{own.layerAddress(), params_.address()});
 }
 
 }  // namespace radiata::render

@@ -3,13 +3,10 @@
 // comparisons.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "gpu/buffer.h"
-#include "plan/plan_fiblets.h"
-#include "render/frame/fiblet_buffers.h"
-#include "render/frame/pass_run.h"
+#include "render/frame/fiblet_run.h"
 #include "shaders/shared/fiblet_coverage.glsl"
 
 namespace radiata::render {
@@ -17,11 +14,10 @@ namespace radiata::render {
 class FibletCoverage {
 public:
     /// Brings the buffer to the layer's camera, if it is of the same fibres, cuts and window, and lists the fiblets that are
-    /// then to be drawn. Records; the caller submits. \param suffix  of the passes' names
-    void cull(PassRun& run, const plan::FibletPlan& plan, const FibletScene& scene, FibletBuffers& own,
-              const std::string& suffix);
+    /// then to be drawn. Records; the caller submits.
+    void cull(FibletRun& layer);
     /// Dilates the finished depths; needs the pyramid up to FIBLET_TEXEL_LEVEL. Records; the caller submits.
-    void remember(PassRun& run, const FibletScene& scene, FibletBuffers& own, const std::string& suffix);
+    void remember(FibletRun& layer);
 
     /// shader::FibletCoverageParams::dilated as it stands, and its view; for tests.
     const gpu::Buffer& dilated() const { return dilated_; }
@@ -37,7 +33,7 @@ private:
         std::vector<glm::vec4> cuts;
         bool operator==(const Key&) const = default;
     };
-    static Key keyOf(const PassRun& run, const FibletBuffers& own);
+    static Key keyOf(const FibletRun& layer);
 
     gpu::Buffer params_;           ///< shader::FibletCoverageParams
     gpu::Buffer dilated_, moved_;  ///< uint[texels]

@@ -41,7 +41,7 @@ std::uint32_t FibletCull::margin() const {
 void FibletCull::findPages(std::uint32_t phase, std::uint32_t first, std::uint32_t end, const gpu::Buffer& into) {
     own_.counts().pages = 0;
     run_.recorder.dispatch(run_.pipelines.get("fiblet_cull_pages", {PassRun::kGroup, phase, margin(), plan_.tubes ? 1U : 0U}),
-                           "fiblet cull" + suffix_, PassRun::groups(end - first), 1, 1,
+                           "fiblet cull" + layer_.suffix, PassRun::groups(end - first), 1, 1,
                            CullPagesPush{own_.layerAddress(), into.address(), first, end - first});
     run_.recorder.submitAndWait();
 }
@@ -49,9 +49,9 @@ void FibletCull::findPages(std::uint32_t phase, std::uint32_t first, std::uint32
 void FibletCull::cullPages(std::uint32_t phase, const gpu::Buffer& numbers, std::uint32_t pages) {
     const gpu::ComputePipeline& pipeline = run_.pipelines.get(
         "fiblet_cull",
-        withPaged(plan_, {FibletScene::kPageFiblets, phase, margin(), plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U}));
+        layer_.withPaged({FibletScene::kPageFiblets, phase, margin(), plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U}));
     for (std::uint32_t page = 0; page < pages; page += std::min(pages - page, kPagesAtOnce)) {
-        run_.recorder.dispatch(pipeline, "fiblet cull" + suffix_, std::min(pages - page, kPagesAtOnce), 1, 1,
+        run_.recorder.dispatch(pipeline, "fiblet cull" + layer_.suffix, std::min(pages - page, kPagesAtOnce), 1, 1,
                                CullPush{own_.layerAddress(), numbers.address() + std::uint64_t{4} * page});
     }
     run_.recorder.submitAndWait();
@@ -63,7 +63,7 @@ void FibletCull::pyramid() {
         const std::uint32_t source = level == 0 ? 0 : own_.level_offsets[level - 1];
         const glm::ivec2 half = (size + 1) / 2;
         run_.recorder.dispatch(run_.pipelines.get("fiblet_pyramid", {PassRun::kGroup, level == 0 ? 1U : 0U}),
-                               "fiblet pyramid" + suffix_,
+                               "fiblet pyramid" + layer_.suffix,
                                PassRun::groups(static_cast<std::uint64_t>(half.x) * static_cast<std::uint64_t>(half.y)), 1, 1,
                                PyramidPush{own_.layerAddress(), source, own_.level_offsets[level], size});
         size = half;

@@ -6,25 +6,16 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <string>
-#include <utility>
 #include <vector>
 
-#include "render/frame/fiblet_buffers.h"
-#include "render/frame/pass_run.h"
+#include "render/frame/fiblet_run.h"
 
 namespace radiata::render {
 
-/// Constants of a pipeline that has one more where not all fiblets are on the device.
-inline std::vector<std::uint32_t> withPaged(const plan::FibletPlan& plan, std::vector<std::uint32_t> constants) {
-    if (plan.paged) constants.push_back(1U);
-    return constants;
-}
-
 class FibletCull {
 public:
-    FibletCull(PassRun& run, const plan::FibletPlan& plan, const FibletScene& scene, FibletBuffers& own, std::string suffix)
-        : run_(run), plan_(plan), scene_(scene), own_(own), suffix_(std::move(suffix)) {}
+    explicit FibletCull(FibletRun& layer)
+        : layer_(layer), run_(layer.run), plan_(layer.plan), scene_(layer.scene), own_(layer.own) {}
 
     /// Adds what a phase leaves of some pages in their order to the list.
     void cull(std::uint32_t phase, std::uint32_t first, std::uint32_t end);
@@ -65,11 +56,11 @@ private:
     void findPages(std::uint32_t phase, std::uint32_t first, std::uint32_t end, const gpu::Buffer& into);
     void cullPages(std::uint32_t phase, const gpu::Buffer& numbers, std::uint32_t pages);
 
+    FibletRun& layer_;
     PassRun& run_;
     const plan::FibletPlan& plan_;
     const FibletScene& scene_;
     FibletBuffers& own_;
-    std::string suffix_;
 };
 
 }  // namespace radiata::render

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 
 #include "gpu/device.h"
+#include "render/frame/fiblet_line_buffers.h"
 
 namespace radiata::render {
 namespace {
@@ -44,32 +44,7 @@ constexpr std::uint32_t kPagesAtOnce = 16'384;
 
 }  // namespace
 
-void FibletPace::learn(std::uint64_t drawn, double took_ms) {
-    if (drawn == 0) return;
-    fiblets =
-        std::clamp(static_cast<double>(drawn) * std::clamp(kSubmissionMs / std::max(took_ms, 0.01), 0.25, 4.0), 256.0, 1e9);
-}
-
-void FibletLineBuffers::prepare(gpu::Device& device, std::uint32_t width, std::uint32_t height,
-                                model::FibletPipeline pipeline) {
-    const std::uint64_t pixels = std::uint64_t{width} * height;
-    if (model::drawsByRasteriser(pipeline) && (!images || images.width() != width || images.height() != height)) {
-        images = gpu::RasterTarget();
-        images = gpu::RasterTarget(device, width, height);
-        words = gpu::Buffer(device, pixels * gpu::RasterTarget::kWordBytesPerPixel, gpu::Memory::kDevice, "drawn fibres");
-        depth = gpu::Buffer(device, pixels * gpu::RasterTarget::kDepthBytesPerPixel, gpu::Memory::kDevice, "depth of fibres");
-    }
-    if (pipeline != model::FibletPipeline::kPull) {
-        slots = gpu::Buffer();
-        command = gpu::Buffer();
-    } else if (!slots) {
-        slots = gpu::Buffer(device, kSlots * sizeof(shader::FibletSlot), gpu::Memory::kDevice, "decoded fiblets");
-        command = gpu::Buffer(device, 16, gpu::Memory::kDevice, "draw of fiblets");
-    }
-}
-
-FibletLines::FibletLines(PassRun& run, std::size_t layer, const FibletBuffers& own, FibletPace& pace, std::string suffix)
-    : run_(run), index_(layer), plan_(*run.list.plan->fiblets[layer]), own_(own), pace_(pace), suffix_(std::move(suffix)) {}
+FibletLines::FibletLines(FibletRun& layer) : layer_(layer), run_(layer.run), plan_(layer.plan), own_(layer.own) {}
 
 void FibletLines::begin() {
     Target::Impl& target = run_.target;
@@ -93,7 +68,7 @@ std::vector<std::uint32_t> FibletLines::constants(std::uint32_t phase, bool list
             std::bit_cast<std::uint32_t>(static_cast<float>(run_.device.info().line_frame_px)),
             plan_.segments ? 1U : 0U,
             own_.layer().detail_segments > 0 ? 1U : 0U,
-            plan_.culling == model::FibletCulling::kCoverage ? 1U : 0U};
+            layer_.byCoverage() ? 1U : 0U};
 }
 
 const gpu::GraphicsPipeline& FibletLines::pipeline(std::uint32_t phase, bool listed, bool counts) {
@@ -145,10 +120,10 @@ void FibletLines::draw(bool listed, std::uint32_t first, std::uint32_t end) {
         while (first < end) {
             run_.checkCancelled();
             const double most = plan_.pipeline == model::FibletPipeline::kTessellation ? kPatchesAtOnce : 4e6;
-            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(pace_.fiblets, most)));
-            run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, images, gpu::VertexDraw{first, count, 0, 1},
+            const std::uint32_t count = std::min(end - first, static_cast<std::uint32_t>(std::min(layer_.pace.fiblets, most)));
+            run_.recorder.drawLines(drawing, "fiblet raster" + layer_.suffix, images, gpu::VertexDraw{first, count, 0, 1},
                                     LayerPush{own_.layerAddress()});
-            submit(count);
+            layer_.submit(count);
             first += count;
         }
     }
@@ -161,11 +136,11 @@ void FibletLines::drawPages(std::uint32_t phase, std::uint32_t first, std::uint3
     const gpu::GraphicsPipeline& drawing = pipeline(phase, false, counts);
     while (first < end) {
         run_.checkCancelled();
-        const auto pages = static_cast<std::uint32_t>(std::min(pace_.fiblets / shader::FIBLET_PAGE, 1e6));
+        const auto pages = static_cast<std::uint32_t>(std::min(layer_.pace.fiblets / shader::FIBLET_PAGE, 1e6));
         const std::uint32_t count = std::min({end - first, std::max(pages, 1U), kPagesAtOnce});
-        run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, images, gpu::MeshDraw{count},
+        run_.recorder.drawLines(drawing, "fiblet raster" + layer_.suffix, images, gpu::MeshDraw{count},
                                 PagesPush{own_.layerAddress(), first, 0});
-        submit(std::uint64_t{count} * shader::FIBLET_PAGE);
+        layer_.submit(std::uint64_t{count} * shader::FIBLET_PAGE);
         first += count;
     }
     merge();
@@ -176,11 +151,12 @@ void FibletLines::meshes(std::uint32_t first, std::uint32_t end) {
     const gpu::GraphicsPipeline& drawing = pipeline(kListed, false, false);
     while (first < end) {
         run_.checkCancelled();
-        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, double{kPagesAtOnce} * shader::FIBLET_PAGE));
+        const auto wanted =
+            static_cast<std::uint32_t>(std::min(layer_.pace.fiblets, double{kPagesAtOnce} * shader::FIBLET_PAGE));
         const std::uint32_t count = std::min(end - first, wanted);
-        run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, run_.target.fiblet_lines->images,
+        run_.recorder.drawLines(drawing, "fiblet raster" + layer_.suffix, run_.target.fiblet_lines->images,
                                 gpu::MeshDraw{PassRun::groups(count)}, PagesPush{own_.layerAddress(), first, first + count});
-        submit(count);
+        layer_.submit(count);
         first += count;
     }
 }
@@ -195,52 +171,52 @@ void FibletLines::pull(bool listed, std::uint32_t first, std::uint32_t end) {
     const std::uint32_t number = fewerLines() ? 1 : kSlotVertices;
     while (first < end) {
         run_.checkCancelled();
-        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, most));
+        const auto wanted = static_cast<std::uint32_t>(std::min(layer_.pace.fiblets, most));
         const std::uint32_t count = std::min(end - first, wanted);
         run_.recorder.fill(lines.command, 0, 16, 0);
         run_.recorder.fill(lines.command, given, 4, number);
-        run_.recorder.dispatch(decode, "fiblet decode" + suffix_, PassRun::groups(count), 1, 1,
+        run_.recorder.dispatch(decode, "fiblet decode" + layer_.suffix, PassRun::groups(count), 1, 1,
                                DecodePush{own_.layerAddress(), lines.slots.address(), lines.command.address(), first, count});
-        run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, lines.images, gpu::IndirectDraw{&lines.command, 0, 1},
+        run_.recorder.drawLines(drawing, "fiblet raster" + layer_.suffix, lines.images, gpu::IndirectDraw{&lines.command, 0, 1},
                                 PullPush{own_.layerAddress(), lines.slots.address()});
-        submit(count);
+        layer_.submit(count);
         first += count;
     }
 }
 
 void FibletLines::strips() {
-    const FibreVertices& vertices = *run_.list.layers[index_].vertices;
+    const FibreVertices& vertices = *run_.list.layers[layer_.index].vertices;
     const gpu::GraphicsPipeline& drawing = pipeline(0, false, false);
     for (std::uint32_t first = 0; first < vertices.strips();) {
         run_.checkCancelled();
         // As many strips as have the wanted number of points, but one at least.
-        const double points = vertices.first()[first] + std::min(pace_.fiblets * shader::FIBLET_SEGMENTS, 2e8);
+        const double points = vertices.first()[first] + std::min(layer_.pace.fiblets * shader::FIBLET_SEGMENTS, 2e8);
         const auto next = std::ranges::upper_bound(vertices.first(), points);
         const auto end =
             std::clamp(static_cast<std::uint32_t>(next - vertices.first().begin()) - 1, first + 1, vertices.strips());
-        run_.recorder.drawLines(drawing, "fiblet raster" + suffix_, run_.target.fiblet_lines->images,
+        run_.recorder.drawLines(drawing, "fiblet raster" + layer_.suffix, run_.target.fiblet_lines->images,
                                 gpu::IndirectDraw{&vertices.commands(), std::uint64_t{first} * 16, end - first},
                                 PullPush{own_.layerAddress(), vertices.address()});
-        submit((vertices.first()[end] - vertices.first()[first]) / shader::FIBLET_SEGMENTS + 1);
+        layer_.submit((vertices.first()[end] - vertices.first()[first]) / shader::FIBLET_SEGMENTS + 1);
         first = end;
     }
 }
 
 void FibletLines::points() {
-    const FibreVertices& vertices = *run_.list.layers[index_].vertices;
+    const FibreVertices& vertices = *run_.list.layers[layer_.index].vertices;
     const gpu::ComputePipeline& drawing = run_.pipelines.get(
         "fiblet_points",
         {PassRun::kGroup, plan_.cuts, plan_.states ? 1U : 0U, plan_.tubes ? 1U : 0U, plan_.segments ? 1U : 0U});
     for (std::uint32_t first = 0; first < vertices.count();) {
         run_.checkCancelled();
-        const auto wanted = static_cast<std::uint32_t>(std::min(pace_.fiblets, 6e4)) * PassRun::kGroup;
+        const auto wanted = static_cast<std::uint32_t>(std::min(layer_.pace.fiblets, 6e4)) * PassRun::kGroup;
         const std::uint32_t count = std::min(vertices.count() - first, wanted);
-        run_.recorder.dispatch(drawing, "fiblet raster" + suffix_, PassRun::groups(count), 1, 1,
+        run_.recorder.dispatch(drawing, "fiblet raster" + layer_.suffix, PassRun::groups(count), 1, 1,
                                VerticesPush{own_.layerAddress(), vertices.address(), first, count});
-        submit(count / PassRun::kGroup + 1);
+        layer_.submit(count / PassRun::kGroup + 1);
         first += count;
     }
-    run_.recorder.dispatch(run_.pipelines.get("fiblet_point_tangents", {PassRun::kGroup}), "fiblet tangents" + suffix_,
+    run_.recorder.dispatch(run_.pipelines.get("fiblet_point_tangents", {PassRun::kGroup}), "fiblet tangents" + layer_.suffix,
                            PassRun::groups(run_.pixels()), 1, 1,
                            TangentsPush{own_.layerAddress(), vertices.address(), vertices.fibreFirstAddress()});
 }
@@ -248,15 +224,9 @@ void FibletLines::points() {
 void FibletLines::merge() {
     FibletLineBuffers& lines = *run_.target.fiblet_lines;
     run_.recorder.copy(lines.images, lines.words, lines.depth);
-    run_.recorder.dispatch(run_.pipelines.get("fiblet_merge", {PassRun::kGroup}), "fiblet merge" + suffix_,
+    run_.recorder.dispatch(run_.pipelines.get("fiblet_merge", {PassRun::kGroup}), "fiblet merge" + layer_.suffix,
                            PassRun::groups(run_.pixels()), 1, 1,
                            MergePush{own_.layerAddress(), lines.words.address(), lines.depth.address()});
-}
-
-void FibletLines::submit(std::uint64_t fiblets) {
-    const auto start = std::chrono::steady_clock::now();
-    run_.recorder.submitAndWait();
-    pace_.learn(fiblets, std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
 }
 
 }  // namespace radiata::render

@@ -25,16 +25,21 @@ bool lightsFibres(const PassRun& run) {
            std::ranges::all_of(plan.passes, fits) && !plan.fibre_occlusion && !plan.fibre_halos;
 }
 
-void lightFibres(PassRun& run, const plan::FibletPlan& plan, const FibletBuffers& own, bool marks, bool again) {
-    std::vector<std::uint32_t> constants{PassRun::kGroup, marks ? 1U : 0U,      run.list.plan->colour_modes,
-                                         again ? 0U : 1U, plan.tubes ? 1U : 0U, run.list.plan->fibre_colours};
+void lightFibres(FibletRun& layer, bool marks, bool counts) {
+    PassRun& run = layer.run;
+    std::vector<std::uint32_t> constants{PassRun::kGroup,
+                                         marks ? 1U : 0U,
+                                         run.list.plan->colour_modes,
+                                         counts ? 1U : 0U,
+                                         layer.plan.tubes ? 1U : 0U,
+                                         run.list.plan->fibre_colours};
     if (run.list.plan->paged_layers != 0) {
         constants.resize(kPagedConstant, 0U);
         constants.push_back(run.list.plan->paged_layers);
     }
     run.recorder.dispatch(run.pipelines.get("fiblet_light", constants), "fiblet light", PassRun::groups(run.pixels()), 1, 1,
-                          LightPush{own.layerAddress(), run.frameAddress(), run.frameAddress() + Target::Impl::kLookOffset,
-                                    pictureAddress(run), run.counterAddress()});
+                          LightPush{layer.own.layerAddress(), run.frameAddress(),
+                                    run.frameAddress() + Target::Impl::kLookOffset, pictureAddress(run), run.counterAddress()});
 }
 
 }  // namespace radiata::render

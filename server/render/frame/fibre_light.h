@@ -1,8 +1,7 @@
 // Light on fibres in one pass with what they won, where nobody else is in the picture (shaders/fiblet/light.comp).
 #pragma once
 
-#include "render/frame/fiblet_buffers.h"
-#include "render/frame/pass_run.h"
+#include "render/frame/fiblet_run.h"
 
 namespace radiata::render {
 
@@ -10,7 +9,8 @@ namespace radiata::render {
 /// one sample, nothing looks at the surface buffer, which it leaves alone.
 bool lightsFibres(const PassRun& run);
 
-/// Records the pass. \param marks  who is seen is noted for the next picture's culling \param again  pixels were counted before
-void lightFibres(PassRun& run, const plan::FibletPlan& plan, const FibletBuffers& own, bool marks, bool again);
+/// Records the pass. \param marks  who is seen is noted for the next picture's culling \param counts  pixels that show
+/// something
+void lightFibres(FibletRun& layer, bool marks, bool counts);
 
 }  // namespace radiata::render

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "gpu/device.h"
-#include "render/frame/fiblet_passes.h"
+#include "render/frame/fiblet_peel.h"
 #include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
 #include "shaders/shared/peel.glsl"

@@ -1,7 +1,7 @@
 // Composes all transparent layers of a scene into the veil, which the light pass puts before what is opaque.
 #pragma once
 
-#include "render/frame/fiblet_lines.h"
+#include "render/frame/fiblet_run.h"
 
 namespace radiata::render {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "gpu/device.h"
-#include "render/frame/fiblet_passes.h"
+#include "render/frame/fiblet_peel.h"
 #include "render/frame/pick.h"
 
 namespace radiata::render {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "render/frame/fiblet_buffers.h"
-#include "render/frame/fiblet_lines.h"
+#include "render/frame/fiblet_line_buffers.h"
 #include "render/frame/raster_buffers.h"
 
 namespace radiata::render {

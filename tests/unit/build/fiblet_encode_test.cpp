@@ -238,6 +238,45 @@ TEST(FibletWalk, IsUsedWhereStepsVaryAndKeepsVerticesWithinItsBound) {
     }
 }
 
+/// Fibres of 1 mm steps that turn back: the one sharp turn asks for codes of all directions, too far apart for such a step.
+test::Fibres turningBack(float last) {
+    test::Fibres fibres;
+    std::vector<glm::vec3> fibre;
+    for (int i = 0; i <= 20; ++i) fibre.emplace_back(i <= 10 ? i : 20 - i, 0.3F * std::sin(0.5F * float(i)), 0.02F * float(i));
+    for (std::size_t i = 1; i < fibre.size(); ++i) {
+        fibre[i] = fibre[i - 1] + glm::normalize(fibre[i] - fibre[i - 1]) * (i == 5 ? last : 1.0F);
+    }
+    fibres.add(fibre);
+    return fibres;
+}
+
+TEST(FibletWalk, TakesFinerStepsWhereNoCodesHoldTheBound) {
+    const test::Fibres uneven = turningBack(0.9F), even = turningBack(1);
+    EXPECT_THROW(encodeFiblets(uneven.points, uneven.offsets, {.bound_um = 8, .walk_bound_um = 1000, .step_mm = 1}),
+                 UnheldBound);
+    const model::FibletSet walked = encodeFiblets(uneven.points, uneven.offsets, {.bound_um = 8, .walk_bound_um = 1000});
+    EXPECT_LE(walked.codec.step_mm, 0.5F);
+    EXPECT_LE(walked.errors.max_um, 8);
+    EXPECT_LE(walked.walk_errors.max_um, 1000);
+    // Even steps keep their points or are refused, unless it may be otherwise.
+    EXPECT_THROW(encodeFiblets(even.points, even.offsets, {.bound_um = 8, .walk_bound_um = 1000}), UnheldBound);
+    const model::FibletSet rather =
+        encodeFiblets(even.points, even.offsets, {.bound_um = 8, .walk_bound_um = 1000, .walk_rather = true});
+    EXPECT_TRUE(rather.walked);
+    EXPECT_LE(rather.codec.step_mm, 0.5F);
+    EXPECT_LE(rather.errors.max_um, 8);
+}
+
+TEST(FibletWalk, HoldsItsBoundForFewLongSegmentsThatTurnBack) {
+    test::Fibres fibres;
+    fibres.add(
+        {glm::vec3(0), glm::vec3(14.48F, 0.1F, 0), glm::vec3(0.3F, 0, 0.2F), glm::vec3(19, 2, 1), glm::vec3(18.7F, 2, 1)});
+    const model::FibletSet set = encodeFiblets(fibres.points, fibres.offsets, {.bound_um = 10, .walk_bound_um = 20});
+    EXPECT_TRUE(set.walked);
+    EXPECT_LE(set.walk_errors.max_um, 20);
+    EXPECT_LE(set.errors.max_um, 10);
+}
+
 TEST(FibletSource, GivesPointsColumnsAndGroupsBack) {
     std::mt19937 random(13);
     model::Tractogram tractogram;
