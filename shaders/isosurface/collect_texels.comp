@@ -1,4 +1,4 @@
-// Lists the texels that pixels need, with what is known of them. One invocation per place of the pool; the order is not defined.
+// Lists the texels that pixels need, with what is known of them. One invocation per row of the pool; the order is not defined.
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #include "shaders/common/invocation.glsl"
@@ -12,14 +12,16 @@ layout(push_constant, scalar) uniform Push {
     LatticeBuffer lattice;
     ItemList items;
     TexelWords bricks;  // of each slot: its brick's number
-    uint places;
+    uint rows;
     uint capacity;
 } push;
 
 void main() {
-    const uint place = globalInvocation();
-    if (place >= push.places) return;
+    const uint texel_row = globalInvocation();
+    if (texel_row >= push.rows) return;
     const LatticeParams lattice = push.lattice.lattice;
+    const uint place = placeOf(lattice, texel_row);
+    if (place == TEXEL_NOWHERE) return;
     const uint coverage = wordsAt(lattice.coverage, place, 1u).at[0];
     if (coverage == 0u) return;
     const uint brick = push.bricks.at[place / TEXELS_PER_BRICK], in_brick = place % TEXELS_PER_BRICK;
@@ -30,5 +32,5 @@ void main() {
     if (any(greaterThanEqual(texel, lattice.size))) return;
     const uint number = atomicAdd(push.items.count, 1u);
     if (number >= push.capacity) return;
-    push.items.at[number] = TexelItem(place, numberOf(lattice, texel), coverage, wordsAt(lattice.state, place, 1u).at[0]);
+    push.items.at[number] = TexelItem(texel_row, numberOf(lattice, texel), coverage, wordsAt(lattice.state, texel_row, 1u).at[0]);
 }

@@ -12,7 +12,7 @@ layout(buffer_reference, scalar, buffer_reference_align = 8) buffer TexelPairs {
 layout(buffer_reference, scalar, buffer_reference_align = 4) readonly buffer LightHarmonics { vec3 at[]; };
 
 // Pools may be larger than 4 GiB: addresses are made in 64 bits.
-TexelWords wordsAt(uint64_t pool, uint place, uint words) { return TexelWords(pool + uint64_t(place) * uint64_t(4u * words)); }
+TexelWords wordsAt(uint64_t pool, uint number, uint words) { return TexelWords(pool + uint64_t(number) * uint64_t(4u * words)); }
 
 uint brickOf(LatticeParams lattice, ivec3 texel) {
     const ivec3 brick = texel >> int(TEXEL_BRICK_SHIFT);
@@ -22,6 +22,7 @@ uint placeInBrick(ivec3 texel) {
     const ivec3 at = texel & int(TEXEL_BRICK_EDGE - 1u);
     return uint(at.x | (at.y << TEXEL_BRICK_SHIFT) | (at.z << (2 * TEXEL_BRICK_SHIFT)));
 }
+uint placeOf(LatticeParams lattice, uint row) { return lattice.places == 0ul ? row : TexelWords(lattice.places).at[row]; }
 uint numberOf(LatticeParams lattice, ivec3 texel) {
     return uint(texel.x) + uint(lattice.size.x) * (uint(texel.y) + uint(lattice.size.y) * uint(texel.z));
 }

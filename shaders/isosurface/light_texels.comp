@@ -31,11 +31,11 @@ void main() {
     const TexelItem item = push.items.at[item_number];
     const uint row = lattice.stride + LATTICE_REPLICATES;
     TexelFloats sums = TexelFloats(uint64_t(push.sums) + uint64_t(item.coverage) * uint64_t(4u * row));
-    TexelWords state = wordsAt(lattice.state, item.place, 1u);
+    TexelWords state = wordsAt(lattice.state, item.row, 1u);
     SurfacePoint point;
     if (!texelSurface(lattice, texelOf(lattice, item.texel), point)) {
         state.at[0] = TEXEL_EMPTY | (TEXEL_STAGE_MASK << TEXEL_STAGE_SHIFT);
-        TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = uvec2(TEXEL_SHOWN_EMPTY, 0u);
+        TexelPairs(lattice.shown + uint64_t(placeOf(lattice, item.row)) * 8ul).at[0] = uvec2(TEXEL_SHOWN_EMPTY, 0u);
         push.items.at[item_number].state = state.at[0];
         return;
     }
@@ -80,7 +80,7 @@ void main() {
         squares += off * off;
     }
     const float relative = sqrt(squares / 12.0) / max(mean, lattice.irradiance_floor);
-    TexelWords payload = wordsAt(lattice.payload, item.place, texelWords(lattice, kStorage));
+    TexelWords payload = wordsAt(lattice.payload, item.row, texelWords(lattice, kStorage));
     if (kStorage == TEXELS_RGB8) {
         vec3 sum = vec3(0.0), weight = vec3(scale);
         for (uint k = 0u; k <= lattice.bounces; ++k) {
@@ -97,7 +97,7 @@ void main() {
     const vec3 irradiance = payloadIrradiance(lattice, payload, kTransfer, kStorage);
     const uint stage = uint(findMSB(LATTICE_REPLICATES * push.path_end)) + 1u;
     const uint known = (packHalf2x16(vec2(min(relative, 60000.0), 0.0)) & 0xffffu) | (stage << TEXEL_STAGE_SHIFT);
-    TexelPairs(lattice.shown + uint64_t(item.place) * 8ul).at[0] = packShown(irradiance / kPi, point.normal, texelDone(lattice, known));
+    TexelPairs(lattice.shown + uint64_t(placeOf(lattice, item.row)) * 8ul).at[0] = packShown(irradiance / kPi, point.normal, texelDone(lattice, known));
     state.at[0] = known;
     push.items.at[item_number].state = known;
 }

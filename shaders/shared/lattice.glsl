@@ -10,6 +10,9 @@ SHADER_NAMESPACE_BEGIN
 // that of the second for one that is as exact as a picture at rest wants it.
 // Bricks are small, as surfaces are thin: of a folded surface bricks of 8^3 keep four texels for each that some pixel can need, those
 // of 4^3 two and a half, those of 2^3 one and a half, whose index would be as large as what they save.
+// In a brick every texel has a place, where it says what is shown of it: pixels read nothing else. What it keeps of light is larger: only
+// texels that some pixel needed have a row of that. Rows say whose they are, as pixels have no use for them. Of bricks that are kept
+// whole a texel's place is its row.
 #ifdef __cplusplus
 constexpr uint TEXEL_BRICK_SHIFT = 2;
 constexpr uint TEXEL_BRICK_EDGE = 1u << TEXEL_BRICK_SHIFT;
@@ -20,6 +23,7 @@ constexpr uint TEXEL_EMPTY = 1u << 24u;
 constexpr uint TEXEL_SHOWN_LIT = 0x8000u;
 constexpr uint TEXEL_SHOWN_EMPTY = 0x8000u;
 constexpr uint TEXEL_SHOWN_DONE = 0x80000000u;
+constexpr uint TEXEL_NOWHERE = 0xffffffffu;
 constexpr uint LATTICE_REPLICATES = 4;
 constexpr uint LATTICE_COVERAGE_ONE = 256;
 #else
@@ -32,6 +36,7 @@ constexpr uint LATTICE_COVERAGE_ONE = 256;
 #define TEXEL_SHOWN_LIT 0x8000u
 #define TEXEL_SHOWN_EMPTY 0x8000u
 #define TEXEL_SHOWN_DONE 0x80000000u
+#define TEXEL_NOWHERE 0xffffffffu
 #define LATTICE_REPLICATES 4u
 #define LATTICE_COVERAGE_ONE 256.0
 #endif
@@ -102,26 +107,25 @@ struct LatticeParams {
     vec3 albedo;
     float irradiance_floor;  // relative errors are of no less than this irradiance
     uint64_t index;     // uint[bricks]: slot plus one, or 0
-    uint64_t wanted;    // uint[bricks]: number of the latest request that needs it
+    uint64_t wanted;    // uint[bricks * 2]: bit i of each two is set if this request needs texel i
     uint64_t coverage;  // uint[slots * TEXELS_PER_BRICK]: LATTICE_COVERAGE_ONE times the pixels that need it
-    uint64_t state;     // uint[slots * TEXELS_PER_BRICK]
-    uint64_t payload;   // float or half [slots * TEXELS_PER_BRICK * stride], or four bytes each
+    uint64_t places;    // uint[rows]: slot * TEXELS_PER_BRICK + place in the brick, or TEXEL_NOWHERE; null: rows are places
+    uint64_t state;     // uint[rows]
+    uint64_t payload;   // float or half [rows * stride], or four bytes each
     uint64_t shown;     // uvec2[slots * TEXELS_PER_BRICK]: radiance of a white surface as three halves, and the normal in 16 bits; see TEXEL_SHOWN_LIT
     LatticeLight light;
-    uint request;       // number of this request
     uint interpolation; // as model::TexelInterpolation
     uint random_paths;  // 1: of independent random points
     float rgb8_scale;   // radiance of a white surface that the largest 8-bit number stands for
     float relative_error;  // when a texel is done: that error after samples_least, or samples_max
     uint samples_least;
     uint samples_max;
-    uint pad;
 };
 STATIC_SIZE(LatticeParams, 432);
 
 // A texel that pixels need.
 struct TexelItem {
-    uint place;    // slot * TEXELS_PER_BRICK + place in the brick
+    uint row;
     uint texel;    // its number in the whole lattice, i fastest
     uint coverage;
     uint state;

@@ -45,6 +45,7 @@ IlluminationLattice::IlluminationLattice(gpu::Device& device, std::shared_ptr<co
       bricks_((size_ + (kEdge - 1)) / kEdge),
       pool_(device, latticeProduct(bricks_), texelBytes(light),
             static_cast<std::uint64_t>(double{light.budget_mib} * 1048576)) {
+    pool_.keepWhole(light.full);
     params_ = gpu::Buffer(device, sizeof(shader::LatticeParams), gpu::Memory::kUpload, "lattice");
     lacking_ = gpu::Buffer(device, 16, gpu::Memory::kReadback, "lattice lacks");
     if (latticeProduct(size_) >> 32 != 0) {
@@ -74,6 +75,7 @@ void IlluminationLattice::refreshAddresses() {
     lattice.index = pool_.index();
     lattice.wanted = pool_.wanted();
     lattice.coverage = address(coverage_);
+    lattice.places = pool_.places();
     lattice.state = address(pool_.state());
     lattice.payload = address(pool_.payload());
     lattice.shown = address(pool_.shown());
@@ -118,12 +120,14 @@ bool IlluminationLattice::update(const LatticeRun& run, const model::Illuminatio
     } else if (lit_ && (new_light || new_albedo || other_stop)) {
         relight(run);
     }
+    if (pool_.slotsUsed() == 0) pool_.keepWhole(light.full);
     lit_ = true;
     return empty;
 }
 
 void IlluminationLattice::dropTexels() {
     pool_.clear();
+    pool_.keepWhole(light_.full);
     freeWorking();
     requested_.clear();
     active_.clear();
@@ -140,12 +144,12 @@ std::uint64_t IlluminationLattice::payloadBytes() const { return texelBytes(ligh
 void IlluminationLattice::relight(const LatticeRun& run) {
     struct Push {
         std::uint64_t lattice;
-        std::uint32_t places;
+        std::uint32_t rows;
     };
-    const std::uint32_t places = pool_.slotsUsed() * shader::TEXELS_PER_BRICK;
-    if (places == 0) return;
-    run.recorder.dispatch(run.pipeline("isosurface_relight", constants()), "illumination relight", (places + 63) / 64, 1, 1,
-                          Push{params_.address(), places});
+    const std::uint32_t rows = pool_.rowsUsed();
+    if (rows == 0) return;
+    run.recorder.dispatch(run.pipeline("isosurface_relight", constants()), "illumination relight", (rows + 63) / 64, 1, 1,
+                          Push{params_.address(), rows});
     run.recorder.submitAndWait();
 }
 
@@ -155,9 +159,11 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     };
     run.checkCancelled();
     requested_for_ = 0;
+    requested_.clear();
+    active_.clear();
     const Push push{pixels.frame, pixels.layer, pixels.surface, params_.address()};
-    shader::LatticeParams& lattice = shared();
-    lattice.request = pool_.beginRequest();
+    pool_.beginRequest();
+    refreshAddresses();
     const auto interpolation = static_cast<std::uint32_t>(light_.interpolation);
     const std::uint32_t groups = (pixels.pixels + 63) / 64;
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 1U}), "illumination request", groups,
@@ -165,10 +171,8 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     run.recorder.submitAndWait();
     left_out_ = pool_.admit(run.recorder);
     refreshAddresses();
-    requested_.clear();
-    active_.clear();
     requested_for_ = number;
-    if (pool_.slotsUsed() == 0) return;
+    if (pool_.slotsUsed() == 0) return freeWorking();
     clearCoverage(run);
     run.recorder.dispatch(run.pipeline("isosurface_request_texels", {64U, interpolation, 0U}), "illumination request", groups,
                           1, 1, push);
@@ -192,6 +196,7 @@ void IlluminationLattice::clearCoverage(const LatticeRun& run) {
 /// What is not needed once texels are done is more than the texels.
 void IlluminationLattice::freeWorking() {
     for (gpu::Buffer* buffer : {&coverage_, &items_, &sums_}) *buffer = gpu::Buffer();
+    pool_.endRequest();
     refreshAddresses();
 }
 
@@ -199,10 +204,10 @@ void IlluminationLattice::freeWorking() {
 void IlluminationLattice::list(const LatticeRun& run) {
     struct Push {
         std::uint64_t lattice, items, bricks;
-        std::uint32_t places, capacity;
+        std::uint32_t rows, capacity;
     };
-    const std::uint32_t places = pool_.slotsUsed() * shader::TEXELS_PER_BRICK;
-    std::uint32_t count = std::min<std::uint32_t>(places, 65536);
+    const std::uint32_t rows = pool_.rowsUsed();
+    std::uint32_t count = std::min<std::uint32_t>(rows, 65536);
     for (std::uint32_t capacity = 0; count > capacity;) {
         if (!items_ || items_.sizeBytes() < 4 + count * sizeof(shader::TexelItem)) {
             items_ = gpu::Buffer(device_, 4 + (std::uint64_t{count} + count / 4) * sizeof(shader::TexelItem),
@@ -210,8 +215,8 @@ void IlluminationLattice::list(const LatticeRun& run) {
         }
         capacity = static_cast<std::uint32_t>((items_.sizeBytes() - 4) / sizeof(shader::TexelItem));
         *items_.as<std::uint32_t>().data() = 0;
-        run.recorder.dispatch(run.pipeline("isosurface_collect_texels", {64U}), "illumination request", (places + 63) / 64, 1,
-                              1, Push{params_.address(), items_.address(), pool_.slotBricks().address(), places, capacity});
+        run.recorder.dispatch(run.pipeline("isosurface_collect_texels", {64U}), "illumination request", (rows + 63) / 64, 1, 1,
+                              Push{params_.address(), items_.address(), pool_.slotBricks().address(), rows, capacity});
         run.recorder.submitAndWait();
         count = *items_.as<std::uint32_t>().data();
     }

@@ -129,7 +129,8 @@ private:
     void clearCoverage(const LatticeRun& run);
     void freeWorking();
     bool isDone(std::uint32_t state) const;
-    std::optional<std::uint64_t> placeOf(const glm::ivec3& texel) const;
+    std::optional<std::uint64_t> rowOf(const glm::ivec3& texel) const;
+    void keepBricksWhole(const LatticeRun& run);
     void lightBatch(const LatticeRun& run, std::size_t begin, std::size_t end);
     void requestBricks(const LatticeRun& run, std::uint64_t begin, std::uint64_t end, std::uint64_t mark);
     std::uint64_t brickCount() const;

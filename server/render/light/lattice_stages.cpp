@@ -167,46 +167,44 @@ void IlluminationLattice::gather(const LatticeRun& run, const LatticePixels& pix
         Push{pixels.frame, pixels.layer, pixels.surface, params_.address(), light_address, lacking_.address()});
 }
 
-std::optional<std::uint64_t> IlluminationLattice::placeOf(const glm::ivec3& texel) const {
+std::optional<std::uint64_t> IlluminationLattice::rowOf(const glm::ivec3& texel) const {
     constexpr int kEdge = static_cast<int>(shader::TEXEL_BRICK_EDGE);
     const glm::ivec3 brick = texel / kEdge, at = texel % kEdge;
-    const std::uint32_t slot = pool_.slotOf(static_cast<std::uint32_t>(brick.x + bricks_.x * (brick.y + bricks_.y * brick.z)));
-    if (slot == 0) return std::nullopt;
-    return std::uint64_t{slot - 1} * shader::TEXELS_PER_BRICK +
-           static_cast<std::uint64_t>(at.x + kEdge * (at.y + kEdge * at.z));
+    return pool_.rowOf(static_cast<std::uint32_t>(brick.x + bricks_.x * (brick.y + bricks_.y * brick.z)),
+                       static_cast<std::uint32_t>(at.x + kEdge * (at.y + kEdge * at.z)));
 }
 
 double IlluminationLattice::relativeError(gpu::Device& device, const glm::ivec3& texel) const {
     std::uint32_t state = 0;
-    if (const auto place = placeOf(texel)) {
-        gpu::download(device, pool_.state(), *place * 4, std::as_writable_bytes(std::span(&state, 1)));
+    if (const auto row = rowOf(texel)) {
+        gpu::download(device, pool_.state(), *row * 4, std::as_writable_bytes(std::span(&state, 1)));
     }
     return texelSamples(state) > 0 ? texelError(state) : std::numeric_limits<double>::infinity();
 }
 
 std::vector<float> IlluminationLattice::payload(gpu::Device& device, const glm::ivec3& texel) const {
-    const auto at = placeOf(texel);
+    const auto at = rowOf(texel);
     if (!at) return {};
-    const std::uint64_t place = *at;
+    const std::uint64_t row = *at;
     const std::size_t count = shared().stride;
     std::uint32_t state = 0;
-    gpu::download(device, pool_.state(), place * 4, std::as_writable_bytes(std::span(&state, 1)));
+    gpu::download(device, pool_.state(), row * 4, std::as_writable_bytes(std::span(&state, 1)));
     if (texelSamples(state) == 0) return {};
     if (light_.storage == model::TexelStorage::kRgb8) {
         glm::u8vec4 bytes;
-        gpu::download(device, pool_.payload(), place * 4, std::as_writable_bytes(std::span(&bytes, 1)));
+        gpu::download(device, pool_.payload(), row * 4, std::as_writable_bytes(std::span(&bytes, 1)));
         const glm::vec3 root = glm::vec3(bytes) / 255.0F,
                         irradiance = root * root * (std::numbers::pi_v<float> * shared().rgb8_scale);
         return {irradiance.x, irradiance.y, irradiance.z};
     }
     std::vector<float> values(count);
     if (light_.storage == model::TexelStorage::kFloat32) {
-        gpu::download(device, pool_.payload(), place * count * 4, std::as_writable_bytes(std::span(values)));
+        gpu::download(device, pool_.payload(), row * count * 4, std::as_writable_bytes(std::span(values)));
         return values;
     }
     const std::size_t words = (count + 1) / 2;
     std::vector<std::uint16_t> halves(2 * words);
-    gpu::download(device, pool_.payload(), place * words * 4, std::as_writable_bytes(std::span(halves)));
+    gpu::download(device, pool_.payload(), row * words * 4, std::as_writable_bytes(std::span(halves)));
     for (std::size_t i = 0; i < count; ++i) values[i] = glm::unpackHalf1x16(halves[i]);
     return values;
 }

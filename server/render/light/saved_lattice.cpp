@@ -59,13 +59,14 @@ void IlluminationLattice::restore(const LatticeRun& run, const io::SavedLattice&
     if (!(saved.header == header())) {
         throw Error(Code::kInvalidArgument, saved.name + ": is a saved lattice of something else (" + saved.header.key + ")");
     }
-    if (!pool_.fits(brickCount())) {
+    if (!pool_.fitsWhole()) {
         throw Error(Code::kResourceExhausted, saved.name + ": its texels need " +
-                                                  std::to_string(brickCount() * pool_.brickBytes() / 1048576 + 1) +
+                                                  std::to_string(brickCount() * pool_.wholeBrickBytes() / 1048576 + 1) +
                                                   " MiB, more than the budget");
     }
     try {
-        shared().request = pool_.beginRequest();
+        pool_.keepWhole(true);
+        pool_.beginRequest();
         pool_.want(0, brickCount());
         left_out_ = pool_.admit(run.recorder);
         refreshAddresses();

@@ -16,14 +16,18 @@ constexpr std::uint64_t kBricksPerPart = 65536 / shader::TEXELS_PER_BRICK;
 
 void IlluminationLattice::requestBricks(const LatticeRun& run, std::uint64_t begin, std::uint64_t end, std::uint64_t mark) {
     run.checkCancelled();
-    if (!pool_.fits(brickCount())) {
-        throw Error(Code::kResourceExhausted,
-                    "the whole illumination lattice needs " + std::to_string(brickCount() * pool_.brickBytes() / 1048576 + 1) +
-                        " MiB, the budget is " + std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
+    if (!pool_.fitsWhole()) {
+        throw Error(Code::kResourceExhausted, "the whole illumination lattice needs " +
+                                                  std::to_string(brickCount() * pool_.wholeBrickBytes() / 1048576 + 1) +
+                                                  " MiB, the budget is " +
+                                                  std::to_string(static_cast<std::uint64_t>(light_.budget_mib)) + " MiB");
     }
     requested_for_ = 0;
-    shared().request = pool_.beginRequest();
+    requested_.clear();
+    active_.clear();
     run.recorder.submitAndWait();
+    keepBricksWhole(run);
+    pool_.beginRequest();
     pool_.want(begin, end);
     left_out_ = pool_.admit(run.recorder);
     refreshAddresses();
@@ -37,6 +41,21 @@ void IlluminationLattice::requestBricks(const LatticeRun& run, std::uint64_t beg
     }
     list(run);
     requested_for_ = mark;
+}
+
+void IlluminationLattice::keepBricksWhole(const LatticeRun& run) {
+    struct Push {
+        std::uint64_t lattice, state, payload;
+        std::uint32_t rows, words;
+    };
+    pool_.makeWhole(run.recorder, [&](const gpu::Buffer& state, const gpu::Buffer& payload) {
+        const std::uint32_t rows = pool_.rowsUsed();
+        run.recorder.dispatch(
+            run.pipeline("isosurface_spread_texels", {64U}), "illumination texels", (rows + 63) / 64, 1, 1,
+            Push{params_.address(), state.address(), payload.address(), rows, static_cast<std::uint32_t>(payloadBytes() / 4)});
+        run.recorder.submitAndWait();
+    });
+    refreshAddresses();
 }
 
 void IlluminationLattice::requestAll(const LatticeRun& run) { requestBricks(run, 0, brickCount(), 0); }

@@ -214,9 +214,8 @@ Report illuminationMemory(gpu::Device& device, const Options& options) {
     report.scene = "isosurfaces in lattices of 110x208x149 texels";
     report.tables.push_back(table);
     report.notes.push_back(
-        "views count everything that stays once texels are done: light, 12 bytes a texel of state and what is shown, the "
-        "index; "
-        "six views see the whole outside of an isosurface");
+        "views count everything that stays once texels are done: light, state and place of the texels that were needed, 8 "
+        "bytes of what is shown for each texel of a brick, the index; six views see the whole outside of an isosurface");
     report.notes.push_back("the paper: 9.75 MB for RGB8, 975 MB for transfer of order 5 in fp32");
     return report;
 }
