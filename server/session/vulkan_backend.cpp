@@ -100,17 +100,38 @@ void load(store::Store& store, const model::FrameRequest& request) {
     }
 }
 
+/// Of the views; only the render thread touches them. One view's memory waits for the next one's.
+class Targets {
+public:
+    render::Target& of(std::uint64_t view) {
+        const auto [entry, is_new] = targets_.try_emplace(view);
+        if (is_new) std::swap(entry->second, spare_);
+        return entry->second;
+    }
+
+    void release(std::uint64_t view) {
+        const auto entry = targets_.find(view);
+        if (entry == targets_.end()) return;
+        spare_ = std::move(entry->second);
+        spare_.forget();
+        targets_.erase(entry);
+    }
+
+private:
+    std::map<std::uint64_t, render::Target> targets_;
+    render::Target spare_;
+};
+
 }  // namespace
 
 Backend vulkanBackend(render::Renderer& renderer, store::Store& store) {
-    // Only the render thread touches the targets.
-    const auto targets = std::make_shared<std::map<std::uint64_t, render::Target>>();
+    const auto targets = std::make_shared<Targets>();
     Backend backend;
     backend.render = [&renderer, targets](std::uint64_t view, const model::FrameRequest& request, int first_sample, int count,
                                           const model::Outputs& outputs, const std::atomic<bool>* cancel) {
-        return renderer.render((*targets)[view], request, first_sample, count, outputs, cancel);
+        return renderer.render(targets->of(view), request, first_sample, count, outputs, cancel);
     };
-    backend.release = [targets](std::uint64_t view) { targets->erase(view); };
+    backend.release = [targets](std::uint64_t view) { targets->release(view); };
     backend.fit_camera = [&renderer](const std::string& id, const model::VoxelSelection& selection,
                                      model::Convention convention,
                                      double aspect) { return renderer.fitCamera(id, selection, convention, aspect); };

@@ -2,9 +2,14 @@
 #ifndef RADIATA_COMMON_FIBRE_DIRECTIONS
 #define RADIATA_COMMON_FIBRE_DIRECTIONS
 #include "shaders/common/octahedral.glsl"
+#include "shaders/common/whole_number.glsl"
 
 // Twice 16 bits: off by less than 4e-5. \param tangent  any length but zero
-uint packLine(vec3 tangent) { return packSnorm2x16(octahedralOf(tangent)); }
+uint packLine(vec3 tangent) {
+    // The bits of packSnorm2x16, which a CPU driver makes lane by lane.
+    precise const vec2 scaled = clamp(octahedralOf(tangent), -1.0, 1.0) * 32767.0;
+    return (uint(wholeNumber(scaled.x)) & 0xffffu) | uint(wholeNumber(scaled.y)) << 16u;
+}
 vec3 lineTangent(uint bits) { return vectorOfOctahedral(unpackSnorm2x16(bits)); }
 
 // Two axes orthogonal to a unit vector. Source: Duff et al. 2017.

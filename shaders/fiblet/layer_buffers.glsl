@@ -2,10 +2,10 @@
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/common/fiblet_projection.glsl"
 #include "shaders/common/depth_order.glsl"
+#include "shaders/common/fiblet_heads.glsl"
 
 layout(buffer_reference, scalar) readonly buffer LayerBuffer { FibletLayerParams layer; };
 layout(buffer_reference, scalar) readonly buffer PageBuffer { FibletPage at[]; };
-layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer BoxBuffer { FibletBox at[]; };
 layout(buffer_reference, scalar) buffer WordBuffer { uint64_t at[]; };
 layout(buffer_reference, scalar) buffer UintBuffer { uint at[]; };

@@ -85,7 +85,7 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, vec3 way) {
     const float low = clamp(min(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const float high = clamp(max(from.x, to.x), float(origin.x) - 1.0, float(origin.x + size.x) + 1.0);
     const int begin = max(wholeNumber(ceil(low - 0.5)), origin.x), end = min(wholeNumber(ceil(high - 0.5)), origin.x + size.x);
-    const int width = int(view.line_width);
+    const int width = wholeNumber(view.line_width);
     // Half of what a strip of the line's width takes of a column that it crosses at a slant.
     const float slope = (to.y - from.y) / max(abs(to.x - from.x), 1e-6);
     const float half_strip = 0.5 * view.line_width * sqrt(1.0 + slope * slope);

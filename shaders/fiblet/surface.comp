@@ -9,6 +9,7 @@
 #include "shaders/fiblet/pixel_stretch.glsl"
 #include "shaders/common/fibre_directions.glsl"
 #include "shaders/common/fiblet_places.glsl"
+#include "shaders/fiblet/won.glsl"
 
 layout(constant_id = 1) const bool kFirstLayer = true;
 layout(constant_id = 2) const bool kMarks = false;
@@ -49,14 +50,11 @@ bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) 
         return false;
     }
     const uint fiblet = who >> FIBLET_SEGMENT_BITS;
-    if (kMarks) {
-        const uint bit = 1u << (fiblet & 31u);
-        if ((UintBuffer(layer.visible).at[fiblet >> 5u] & bit) == 0u) atomicOr(UintBuffer(layer.visible).at[fiblet >> 5u], bit);
-    }
+    if (kMarks) markSeen(layer, who);
     if (kMarksOnly) return false;
     const bool empty_before = kFirstLayer || push.surface.at[at].who == FIBLET_NOBODY;
     if (uint(tangent) != who) {
-        UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.repaired, 1u)] = fiblet;
+        drawAgain(layer, who);
         return empty_before;
     }
     const uint steps = kFirstLayer ? 0u : push.surface.at[at].layer_and_steps & 0xffffffu;

@@ -8,9 +8,9 @@
 #include "shaders/shared/glyph.glsl"
 #include "shaders/shared/uncertainty.glsl"
 #include "shaders/common/camera_rays.glsl"
-#include "shaders/frame/base_colour.glsl"
-#include "shaders/frame/fibre_colour.glsl"
-#include "shaders/frame/light_visibility.glsl"
+#include "shaders/common/base_colour.glsl"
+#include "shaders/common/fibre_colour.glsl"
+#include "shaders/common/light_visibility.glsl"
 #include "shaders/common/medium.glsl"
 
 layout(constant_id = 1) const bool kFirstSample = true;

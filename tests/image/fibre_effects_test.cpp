@@ -2,6 +2,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <string>
 
 #include "image/fibre_scenes.h"
 #include "image/fixture.h"
@@ -191,6 +192,67 @@ TEST_F(FibreEffects, EdgesAreSmoothed) {
     const model::Frame rested = draw(request);
     request.quality.fxaa = false;
     EXPECT_EQ(draw(request).pixels.rgba, rested.pixels.rgba);
+}
+
+/// Where nobody reads the surface buffer, fibres are lit in the pass that resolves them: the same bytes, one pass less.
+TEST_F(FibreEffects, AreLitAsTheyAreResolved) {
+    request.scene.light = {};
+    model::TractogramLayer& layer = request.scene.layers[0].tracts();
+    layer.colour.mode = model::FibreColourMode::kDirection;
+    const auto passes = [](const model::Frame& frame) {
+        std::set<std::string> names;
+        for (const model::PassTime& pass : frame.info.passes) names.insert(pass.name);
+        return names;
+    };
+    const auto compare = [&](const std::string& what) {
+        const model::Frame apart = draw(request), at_once = renderer.renderAll(request);
+        EXPECT_TRUE(passes(apart).contains("light")) << what;
+        EXPECT_TRUE(passes(at_once).contains("fiblet light")) << what;
+        EXPECT_FALSE(passes(at_once).contains("light") || passes(at_once).contains("fiblet surface")) << what;
+        EXPECT_EQ(at_once.pixels.rgba, apart.pixels.rgba) << what;
+        EXPECT_EQ(at_once.info.hit_pixels, apart.info.hit_pixels) << what;
+        EXPECT_GT(at_once.info.hit_pixels, 500) << what;
+    };
+    compare("lines");
+    request.camera.perspective = true;
+    compare("perspective");
+    request.quality.fxaa = true;
+    compare("smoothed");
+    request.quality.fiblet_culling = model::FibletCulling::kTwoPhase;
+    compare("culled");
+    layer.selected.emplace().fibres = {1, 4, 9};
+    compare("dimmed");
+    layer.colour.mode = model::FibreColourMode::kFibre;
+    layer.tube_radius_mm = 0.5F;
+    compare("selected tubes");
+    layer.selected.reset();
+    layer.colour.mode = model::FibreColourMode::kDirection;
+    compare("tubes");
+    layer.colour.mode = model::FibreColourMode::kLength;
+    compare("by length");
+    request.quality.samples = 2;
+    EXPECT_TRUE(passes(renderer.renderAll(request)).contains("light")) << "samples are summed up";
+}
+
+/// The next view takes the memory of one that ended, and nothing of its picture.
+TEST_F(FibreEffects, TakeTheMemoryOfAnEndedView) {
+    request.quality.fiblet_culling = model::FibletCulling::kTwoPhase;
+    model::FrameRequest other = request;
+    other.camera.eye_mm = {-30, 40, 20};
+    render::Target target, fresh;
+    const std::uint64_t before = device.allocatedBytes();
+    renderer.render(target, other, 0, 1);
+    const std::uint64_t taken = device.allocatedBytes() - before;
+    target.forget();
+    EXPECT_LT(device.allocatedBytes() - before, taken) << "lists and parameters go";
+    const model::Frame next = renderer.render(target, request, 0, 1);
+    EXPECT_EQ(device.allocatedBytes() - before, taken);
+    const model::Frame expected = renderer.render(fresh, request, 0, 1);
+    EXPECT_EQ(next.pixels.rgba, expected.pixels.rgba);
+    EXPECT_EQ(next.info.fiblets_drawn, expected.info.fiblets_drawn) << "who was seen is forgotten";
+    target.forget();
+    request.width = 200;
+    EXPECT_EQ(renderer.render(target, request, 0, 1).pixels.rgba, renderer.renderAll(request).pixels.rgba);
 }
 
 /// Fibres in a triangle, a box and a pixel: those of the ids there; through it those that any picture of them alone shows

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "gpu/device.h"
+#include "render/frame/fibre_light.h"
 #include "render/frame/frame_parameters.h"
 #include "render/frame/glyph_passes.h"
 #include "render/frame/illumination_passes.h"
@@ -84,6 +85,7 @@ void Drawer::run(PassRun& pass_run, const plan::PassPlan& pass) {
         case plan::PassKind::kPixelPaths:
             return runPixelPaths(pass_run, pass, path_bands_);
         case plan::PassKind::kLight:
+            if (lightsFibres(pass_run)) return;  // with the fibres
             return runLight(pass_run, pass);
         case plan::PassKind::kResolve:
         case plan::PassKind::kFxaa:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "render/frame/fibre_light.h"
+
 namespace radiata::render {
 namespace {
 
@@ -51,6 +53,16 @@ void FibletRaster::draw(bool listed, std::uint32_t first, std::uint32_t end) {
 }
 
 std::uint32_t FibletRaster::resolve(const Resolve& how) {
+    if (!use.peels && !how.marks_only && lightsFibres(run_)) {
+        lightFibres(layer_, how.marks, how.counts);
+    } else {
+        toSurface(how);
+    }
+    layer_.submit(0);
+    return std::exchange(own_.counts().repaired, 0);
+}
+
+void FibletRaster::toSurface(const Resolve& how) {
     const gpu::Buffer& surface = use.peels ? run_.target.peel_surface : run_.target.surface;
     run_.recorder.dispatch(
         run_.pipelines.get("fiblet_surface",
@@ -58,8 +70,6 @@ std::uint32_t FibletRaster::resolve(const Resolve& how) {
                                              plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U, how.marks_only ? 1U : 0U})),
         "fiblet surface" + layer_.suffix, PassRun::groups(run_.pixels()), 1, 1,
         SurfacePush{own_.layerAddress(), surface.address(), run_.counterAddress()});
-    layer_.submit(0);
-    return std::exchange(own_.counts().repaired, 0);
 }
 
 }  // namespace radiata::render

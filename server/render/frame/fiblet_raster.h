@@ -34,11 +34,13 @@ public:
         bool counts = false;      ///< pixels that show something
         bool marks_only = false;  ///< the surface buffer is left alone
     };
-    /// Of peels to the target's peel surface, else to its surface buffer. \return  fiblets that are listed anew, as others have
-    /// overwritten their tangents; a second drawing finds the final words
+    /// Of peels to the target's peel surface, else to its surface buffer, or lit to the picture (fibre_light.h). \return
+    /// fiblets that are listed anew, as others have overwritten their tangents; a second drawing finds the final words
     std::uint32_t resolve(const Resolve& how);
 
 private:
+    void toSurface(const Resolve& how);
+
     FibletRun& layer_;
     PassRun& run_;
     const plan::FibletPlan& plan_;

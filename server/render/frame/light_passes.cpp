@@ -32,15 +32,14 @@ bool makesPicture(const plan::FramePlan& plan) {
 /// FXAA is for pictures of one sample; more of them smooth edges better.
 bool smooths(const PassRun& run) { return run.list.plan->resolved.quality.fxaa && run.target.samples <= 1; }
 
-/// Where the picture goes, before FXAA if it is smoothed.
+}  // namespace
+
 std::uint64_t pictureAddress(PassRun& run) {
     Target::Impl& target = run.target;
     if (!smooths(run)) return target.picture.address();
     ensureBytes(run.device, target.fxaa_source, 4 * run.pixels(), gpu::Memory::kDevice, "picture before FXAA");
     return target.fxaa_source.address();
 }
-
-}  // namespace
 
 void runLight(PassRun& run, const plan::PassPlan& pass) {
     Target::Impl& target = run.target;

@@ -5,6 +5,9 @@
 
 namespace radiata::render {
 
+/// Where the picture goes, before FXAA if it is smoothed.
+std::uint64_t pictureAddress(PassRun& run);
+
 void runLight(PassRun& run, const plan::PassPlan& pass);
 
 /// Composes what the peel surface shows of transparent layers into the veil. \param peel  address of shader::PeelParams

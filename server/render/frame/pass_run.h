@@ -56,9 +56,10 @@ struct DrawList {
     bool moving = false;  ///< transparent fibres are drawn fast
     /// Until when pages of fibres are waited for that are not on the device; none: until they are there.
     std::optional<std::chrono::steady_clock::time_point> pages_until;
-    bool all_pages = false;  ///< pages that find no room beside each other are drawn one after the other, for picks
-    bool settled = false;    ///< global light is that of a picture at rest
-    bool same_view = false;  ///< what the target's surface buffer had last is drawn again
+    bool all_pages = false;     ///< pages that find no room beside each other are drawn one after the other, for picks
+    bool settled = false;       ///< global light is that of a picture at rest
+    bool picture_only = false;  ///< nobody reads the sample's surface buffer
+    bool same_view = false;     ///< what the target's surface buffer had last is drawn again
 };
 
 /// Rows of work per submission, adapted to the last measured speed so that each takes about kSubmissionMs.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstring>
 #include <list>
 
 #include "base/error.h"
@@ -244,6 +243,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         impl_->store);
     preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
+    list.picture_only = !outputs.any();
     list.settled = first_sample == 0 && impl_->drawer.beginView(buffers, list, request);
     impl_->drawer.takeTimings();
     const bool global = plan.usesGlobalLight();
@@ -296,8 +296,9 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     impl_->drawer.resolve(buffers, list);
     frame.pixels.width = request.width;
     frame.pixels.height = request.height;
-    frame.pixels.rgba.resize(static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4);
-    std::memcpy(frame.pixels.rgba.data(), buffers.picture.mapped().data(), frame.pixels.rgba.size());
+    const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;
+    const auto picture = buffers.picture.as<std::uint8_t>().first(bytes);
+    frame.pixels.rgba.assign(picture.begin(), picture.end());
     frame.info.samples = buffers.samples;
     frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
                        : first_sample == 0                           ? model::FrameState::kInteractive

@@ -28,6 +28,11 @@ public:
     Target(Target&&) noexcept;
     Target& operator=(Target&&) noexcept;
 
+    /// Leaves nothing of its view but memory that pictures of another take, up to kKeptPixels: a page of memory that a CPU
+    /// driver takes anew costs as much as the light on its pixels.
+    void forget();
+    static constexpr int kKeptPixels = 1 << 21;
+
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

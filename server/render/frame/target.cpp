@@ -16,6 +16,22 @@ Target::~Target() = default;
 Target::Target(Target&&) noexcept = default;
 Target& Target::operator=(Target&&) noexcept = default;
 
+void Target::forget() {
+    auto next = std::make_unique<Impl>();
+    if (impl_->width * impl_->height <= kKeptPixels) {
+        next->width = impl_->width;
+        next->height = impl_->height;
+        next->surface = std::move(impl_->surface);
+        next->picture = std::move(impl_->picture);
+        if (!impl_->fiblets.empty() && impl_->fiblets[0]) {
+            FibletBuffers& kept = *next->fiblets.emplace_back(std::make_unique<FibletBuffers>());
+            kept.words = std::move(impl_->fiblets[0]->words);
+            kept.tangents = std::move(impl_->fiblets[0]->tangents);
+        }
+    }
+    impl_ = std::move(next);
+}
+
 void ensureBytes(gpu::Device& device, gpu::Buffer& buffer, std::uint64_t bytes, gpu::Memory memory, const char* name) {
     if (buffer && buffer.sizeBytes() >= bytes) return;
     buffer = gpu::Buffer();  // first free, then take

@@ -12,7 +12,7 @@ namespace radiata::render {
 namespace {
 
 /// Numbers of the specialisation constants in shaders/glyph/visibility.comp and table.comp and in
-/// shaders/frame/light_visibility.glsl; lower ones are the passes' own.
+/// shaders/common/light_visibility.glsl; lower ones are the passes' own.
 constexpr std::size_t kFirstConstant = 20;
 
 struct TablePush {

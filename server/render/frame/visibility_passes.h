@@ -9,7 +9,7 @@ namespace radiata::render {
 /// fillFrameParameters.
 void fillVisibilityParameters(gpu::Device& device, Target::Impl& target, const DrawList& list);
 
-/// Appends what shaders/frame/light_visibility.glsl is specialised by; nothing if the plan has no secondary rays.
+/// Appends what shaders/common/light_visibility.glsl is specialised by; nothing if the plan has no secondary rays.
 void addVisibilityConstants(const plan::FramePlan& plan, std::vector<std::uint32_t>& constants);
 
 /// One table per glyph for rays towards the light, with the first sample; the others use it again.

@@ -1,12 +1,12 @@
 // Base colour of a fibre, linear RGB, before light. kFibreColours has a bit for each way that some layer of the scene uses.
 #include "shaders/shared/fiblet_draw.glsl"
 #include "shaders/common/fibre_directions.glsl"
+#include "shaders/common/fiblet_heads.glsl"
 #include "shaders/common/fiblet_places.glsl"
 
 layout(constant_id = 5) const uint kFibreColours = 1u;
 layout(constant_id = 15) const uint kPagedLayers = 0u;  // bit of each layer of fibres that is not all on the device
 
-layout(buffer_reference, scalar) readonly buffer HeadBuffer { FibletHead at[]; };
 layout(buffer_reference, scalar) readonly buffer StateBuffer { uint at[]; };
 layout(buffer_reference, scalar) readonly buffer RangeBuffer { vec2 at[]; };
 layout(buffer_reference, scalar) readonly buffer DirectionBuffer { uvec2 at[]; };  // who, direction
