@@ -43,7 +43,8 @@ void lasso(const ConnectionOptions& connection_options, const Options& options) 
     std::string text;
     for (const v1::PickedFibres& layer : response.layers()) {
         if (!options.list) text += layer.dataset_id() + ": " + std::to_string(layer.count()) + " fibres\n";
-        for (const std::uint32_t fibre : layer.fibres()) text += std::to_string(fibre) + "\n";
+        const std::string of = options.list && response.layers_size() > 1 ? layer.dataset_id() + " " : "";
+        for (const std::uint32_t fibre : layer.fibres()) text += of + std::to_string(fibre) + "\n";
     }
     writeFile("-", text);
 }
@@ -63,7 +64,8 @@ void addLassoCommand(CLI::App& app, const ConnectionOptions& connection) {
         ->type_name("X,Y,...")
         ->required();
     command->add_flag("--through", options->through, "All fibres that pass there, whatever hides them");
-    command->add_flag("--list", options->list, "Print the numbers of the fibres, one a line");
+    command->add_flag("--list", options->list,
+                      "Print the numbers of the fibres, one a line; of several tractograms with its id before each");
     command->add_flag("--json", options->json, "Print JSON");
     command->callback([options, &connection] { lasso(connection, *options); });
 }

@@ -1,5 +1,6 @@
 // radiata render: one picture, and beside it any of the lossless outputs as .npy and what is known about the frame as JSON.
 #include <filesystem>
+#include <functional>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -89,22 +90,23 @@ void writeArrays(const Options& options, const v1::Frame& frame) {
     }
 }
 
-/// A line for each frame of a whole lattice, which may take hours.
-void showProgress(const v1::Frame& frame) {
-    if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
-}
-
 void render(const ConnectionOptions& connection_options, const Options& options) {
     v1::FrameRequest request = makeRequest(options.request);
     checkOptions(options);
     const Connection connection(connection_options);
     completeRequest(request, connection, options.request.plane);
-    const bool whole = request.scene().light().illumination().full();
-    const v1::Frame frame = options.stream || whole
-                                ? streamPicture(connection, request, whole ? showProgress : nullptr)
-                                : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
+    const v1::Illumination& light = request.scene().light().illumination();
+    const bool whole = light.full();
+    // A line for each frame of a whole lattice, which may take hours.
+    const auto showProgress = [&light](const v1::Frame& frame) {
+        if (frame.has_illumination()) std::cerr << describe(frame.illumination(), light) << "\n";
+    };
+    const v1::Frame frame =
+        options.stream || whole
+            ? streamPicture(connection, request, whole ? std::function<void(const v1::Frame&)>(showProgress) : nullptr)
+            : renderPicture(connection, request, imageFormat(options), wantedOutputs(options));
     if (frame.image().empty()) throw ClientError(ExitCode::kRefused, "the server's frame has no picture");
-    if (frame.has_illumination()) std::cerr << describe(frame.illumination()) << "\n";
+    showProgress(frame);
     for (const v1::LeftOut& left_out : frame.left_out()) {
         for (const std::string& text : left_out.texts()) std::cerr << text << "\n";
     }

@@ -6,6 +6,7 @@
 #include "common/camera_json.h"
 #include "common/client_error.h"
 #include "common/enum_words.h"
+#include "common/table.h"
 
 namespace radiata::client {
 namespace {
@@ -32,7 +33,7 @@ bool anyOption(const FibreOptions& options) {
            !options.fibres.empty() || !options.length.empty() || !options.select_groups.empty() ||
            !options.select_fibres.empty() || options.hide_unselected || options.exact_width || !options.near.empty() ||
            !options.show.empty() || !options.select.empty() || !options.inside.empty() || !options.outside.empty() ||
-           !options.criteria.empty() || options.opacity;
+           !options.criteria.empty() || options.by_depths || options.opacity;
 }
 
 template <typename Message>
@@ -110,8 +111,25 @@ void setColour(v1::FibreColour& colour, const FibreOptions& options) {
     setMap(*colour.mutable_column(), options);
 }
 
-void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
-    layer.set_dataset_id(options.dataset);
+/// What would change nothing was meant otherwise.
+void checkOptions(const FibreOptions& options) {
+    const auto refuse = [](const std::string& sentence) { throw ClientError(ExitCode::kUsage, sentence); };
+    if (options.datasets.empty() && anyOption(options)) {
+        refuse("options of fibres need --tracts ID, the tractogram that is shown");
+    }
+    if (options.by_depths && options.inside.empty() && options.outside.empty()) {
+        refuse("--cut-by-depths says how --cut-inside and --cut-outside cut; give one of them");
+    }
+    if (options.hide_unselected && options.select.empty() && options.select_groups.empty() && options.select_fibres.empty()) {
+        refuse("--hide-unselected hides nothing without --select, --select-group or --select-fibre");
+    }
+    if (!options.slab.empty() && !(options.slab[6] > 0)) {
+        refuse("--fibre-slab has a thickness of " + formatNumber(options.slab[6], 3) + " mm; it must be above 0");
+    }
+}
+
+void setFibres(v1::TractogramLayer& layer, const std::string& dataset, const FibreOptions& options) {
+    layer.set_dataset_id(dataset);
     setColour(*layer.mutable_colour(), options);
     if (options.line_width) layer.set_line_width_px(*options.line_width);
     if (options.tube_radius_mm) layer.set_tube_radius_mm(*options.tube_radius_mm);
@@ -149,17 +167,21 @@ void setFibres(v1::TractogramLayer& layer, const FibreOptions& options) {
 }  // namespace
 
 void addFibres(v1::Scene& scene, const FibreOptions& options) {
-    if (!options.dataset.empty()) {
+    checkOptions(options);
+    for (const std::string& dataset : options.datasets) {
         v1::Layer& layer = *scene.add_layers();
         if (options.opacity) layer.set_opacity(*options.opacity);
-        setFibres(*layer.mutable_tractogram(), options);
-    } else if (anyOption(options)) {
-        throw ClientError(ExitCode::kUsage, "options of fibres need --tracts ID, the tractogram that is shown");
+        setFibres(*layer.mutable_tractogram(), dataset, options);
     }
 }
 
 void addFibreOptions(CLI::App& app, FibreOptions& options) {
-    app.add_option("--tracts", options.dataset, "Catalogue id of a tractogram to show, alone or with --dataset");
+    app.add_option("--tracts", options.datasets,
+                   "Catalogue id of a tractogram to show, alone or with --dataset; may be given several times, for layers that "
+                   "all options of fibres count for")
+        ->type_name("ID")
+        ->expected(1)
+        ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
     app.add_option("--fibre-colour", options.colour, "What colours fibres (default direction)")
         ->check(CLI::IsMember({"direction", "uniform", "fibre", "group", "column", "point", "length", "distance", "ends"}));
     app.add_option("--fibre-column", options.column,

@@ -13,12 +13,12 @@
 namespace radiata::client {
 
 struct FibreOptions {
-    std::string dataset;       ///< empty: no layer of fibres
-    std::string colour;        ///< empty: by direction
-    std::string column;        ///< per fibre or, as NAME or NAME:COMPONENT, per point
-    std::string near;          ///< region of colours by distance
-    std::string map;           ///< word of v1::ColourMap
-    std::vector<float> range;  ///< two numbers
+    std::vector<std::string> datasets;  ///< a layer of fibres each, all of which look as the rest says
+    std::string colour;                 ///< empty: by direction
+    std::string column;                 ///< per fibre or, as NAME or NAME:COMPONENT, per point
+    std::string near;                   ///< region of colours by distance
+    std::string map;                    ///< word of v1::ColourMap
+    std::vector<float> range;           ///< two numbers
     std::vector<double> uniform;
     std::optional<std::uint32_t> line_width;
     std::optional<float> tube_radius_mm, occlusion_px, halo_px;
@@ -40,7 +40,7 @@ struct FibreOptions {
 };
 
 void addFibreOptions(CLI::App& app, FibreOptions& options);
-/// A layer of fibres if a tractogram is named. \throws ClientError(kUsage) for options that contradict each other
+/// A layer of fibres for each tractogram that is named. \throws ClientError(kUsage) for options that contradict each other
 void addFibres(v1::Scene& scene, const FibreOptions& options);
 void setFibreQuality(v1::Quality& quality, const FibreOptions& options);
 

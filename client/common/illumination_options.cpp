@@ -170,15 +170,20 @@ void setIllumination(v1::Light& light, const IlluminationOptions& options) {
     *global.mutable_sky()->mutable_radiance() = vectorOf({1, 1, 1});
 }
 
-std::string describe(const v1::IlluminationProgress& progress) {
-    char text[256];
-    std::snprintf(
-        text, sizeof text,
-        "global light: %llu of %llu texels done (lattice of %llu), standard error %.2g %% (95th percentile %.2g %%), %.2f s",
-        static_cast<unsigned long long>(progress.texels_done()), static_cast<unsigned long long>(progress.texels_needed()),
-        static_cast<unsigned long long>(progress.texels()), 100 * progress.mean_error(), 100 * progress.p95_error(),
-        progress.seconds());
-    std::string line = text;
+std::string describe(const v1::IlluminationProgress& progress, const v1::Illumination& light) {
+    const bool traced = light.method() == v1::ILLUMINATION_METHOD_PATH_TRACING;
+    const auto count = [](std::uint64_t number) { return std::to_string(number); };
+    std::string line = "global light: " + count(progress.texels_done()) + " of " + count(progress.texels_needed()) +
+                       (traced ? " lit pixels done (picture of " : " texels done (lattice of ") + count(progress.texels()) +
+                       ")";
+    if (progress.texels_out_of_samples() > 0) {
+        line += ", " + count(progress.texels_out_of_samples()) +
+                " of them by the most samples they may have, less exact than asked for";
+    }
+    char text[128];
+    std::snprintf(text, sizeof text, ", standard error %.2g %% (95th percentile %.2g %%), %.2f s", 100 * progress.mean_error(),
+                  100 * progress.p95_error(), progress.seconds());
+    line += text;
     if (progress.bricks_left_out() > 0) {
         line += "; the budget had no room for " + std::to_string(progress.bricks_left_out()) + " bricks of texels, lit locally";
     }

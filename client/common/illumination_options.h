@@ -34,7 +34,7 @@ void addIlluminationOptions(CLI::App& app, IlluminationOptions& options);
 /// \throws ClientError(kUsage) for settings without --global-light
 void setIllumination(v1::Light& light, const IlluminationOptions& options);
 
-/// One line: how far the light of a frame is.
-std::string describe(const v1::IlluminationProgress& progress);
+/// One line: how far the light of a frame is. \param light  as it was asked for
+std::string describe(const v1::IlluminationProgress& progress, const v1::Illumination& light);
 
 }  // namespace radiata::client

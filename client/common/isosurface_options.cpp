@@ -1,5 +1,6 @@
 #include "common/isosurface_options.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cstdint>
 #include <map>
@@ -65,8 +66,13 @@ void setLayer(v1::Layer& layer, const std::string& whole) {
     surface.set_dataset_id(std::string(words[0].substr(0, colon)));
     if (surface.dataset_id().empty()) refuse("'" + whole + "': the catalogue id is missing");
     if (colon != std::string_view::npos) surface.set_isovalue(static_cast<float>(number(words[0].substr(colon + 1), whole)));
+    std::vector<std::string_view> given;
     for (std::size_t i = 1; i < words.size(); ++i) {
-        const std::string_view word = words[i];
+        const std::string_view word = words[i], name = word.substr(0, word.find('='));
+        if (std::ranges::find(given, name) != given.end()) {
+            refuse("'" + whole + "': " + std::string(name) + " is given twice; a layer takes it once");
+        }
+        given.push_back(name);
         if (word.starts_with("opacity=")) {
             layer.set_opacity(static_cast<float>(number(word.substr(8), whole)));
         } else if (word.starts_with("colour=")) {

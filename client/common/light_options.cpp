@@ -55,6 +55,14 @@ void setLight(v1::Light& light, const LightOptions& options) {
     if (!options.direction_camera.empty()) setVector(*light.mutable_direction_camera(), options.direction_camera);
     if (!options.direction_world.empty()) setVector(*light.mutable_direction_world(), options.direction_world);
     IlluminationOptions illumination = options.illumination;
+    const bool local = options.shading.starts_with("lambert") || options.shading == "phong";
+    if (local && (illumination.vicinity || !illumination.payload.empty())) {
+        refuse("--shading " + options.shading + " is local light, so no surface would take " +
+               (illumination.vicinity ? "--vicinity" : "--global-light") + "; leave one of them out");
+    }
+    if (options.shading == "full" && illumination.vicinity) {
+        refuse("--shading full and --vicinity are two kinds of light; leave one of them out");
+    }
     if (options.shading == "vicinity") illumination.vicinity = true;
     if (options.shading == "full" && illumination.payload.empty()) illumination.payload = "irradiance";
     setIllumination(light, illumination);

@@ -273,8 +273,12 @@ v1::FrameRequest makeRequest(const RequestOptions& options) {
     v1::Scene& scene = *request.mutable_scene();
     addFibres(scene, options.fibres);
     // A tractogram or an isosurface may stand alone.
-    const bool alone = options.fibres.dataset.empty() && options.isosurfaces.layers.empty();
-    if (alone || !options.dataset.empty()) addGlyphs(scene, options);
+    const bool alone = options.fibres.datasets.empty() && options.isosurfaces.layers.empty();
+    if (alone || !options.dataset.empty()) {
+        addGlyphs(scene, options);
+    } else if (!options.uncertainty.glyphs.empty() || !options.uncertainty.deviations.empty()) {
+        refuse("--uncertainty and --deviations are about glyphs, and the picture shows none; --dataset ID names their image");
+    }
     setIsosurfaces(request, options.isosurfaces);
     setLight(*scene.mutable_light(), options.light);
     setShading(scene, options.light);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -115,16 +116,47 @@ struct Annotator::Impl {
         if (library) FT_Done_FreeType(library);
     }
 
+    /// Width of one line of text in 64ths of a pixel.
+    long widthOf(const std::string& text) {
+        long width = 0;
+        for (const char c : text) {
+            if (FT_Load_Char(face, static_cast<unsigned char>(c), FT_LOAD_TARGET_LIGHT) == 0) width += face->glyph->advance.x;
+        }
+        return width;
+    }
+
+    /// Lines of whole words that fit into a width; a longer word has a line of its own.
+    std::vector<std::string> wrap(const std::string& text, int size_px, int border, int width) {
+        FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size_px));
+        std::vector<std::string> lines;
+        std::istringstream words(text);
+        for (std::string word; words >> word;) {
+            const std::string longer = lines.empty() ? word : lines.back() + " " + word;
+            if (lines.empty() || (widthOf(longer) >> 6) + 1 + 2 * border > width) {
+                lines.push_back(word);
+            } else {
+                lines.back() = longer;
+            }
+        }
+        return lines;
+    }
+
+    /// As much of a text's beginning as fits into a width.
+    std::string shortened(const std::string& text, int size_px, int border, int width) {
+        FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size_px));
+        const auto fits = [&](const std::string& part) { return (widthOf(part) >> 6) + 1 + 2 * border <= width; };
+        if (fits(text)) return text;
+        std::string part = text;
+        while (!part.empty() && !fits(part + "..")) part.pop_back();
+        return part + "..";
+    }
+
     /// One line of text with `border` empty pixels on each side.
     Mask write(const std::string& text, int size_px, int border) {
         FT_Set_Pixel_Sizes(face, 0, static_cast<FT_UInt>(size_px));
         const int ascent = static_cast<int>(face->size->metrics.ascender >> 6);
         const int descent = static_cast<int>(-(face->size->metrics.descender >> 6));
-        long width = 0;
-        for (const char c : text) {
-            if (FT_Load_Char(face, static_cast<unsigned char>(c), FT_LOAD_TARGET_LIGHT) == 0) width += face->glyph->advance.x;
-        }
-        Mask mask = emptyMask(static_cast<int>(width >> 6) + 1 + 2 * border, ascent + descent + 2 * border);
+        Mask mask = emptyMask(static_cast<int>(widthOf(text) >> 6) + 1 + 2 * border, ascent + descent + 2 * border);
         long pen = 0;
         for (const char c : text) {
             if (FT_Load_Char(face, static_cast<unsigned char>(c), FT_LOAD_RENDER | FT_LOAD_TARGET_LIGHT) != 0) continue;
@@ -167,20 +199,29 @@ void Annotator::draw(Picture& picture, std::span<const model::Mark> marks) {
     for (const model::Mark& mark : marks) {
         const int size_px = std::max(kTextMin, static_cast<int>(std::lround(static_cast<float>(text_px) * mark.size)));
         const int border = std::max(1, size_px / 10);
-        const Mask mask = impl_->write(mark.text, size_px, border);
-        const int left = place(mark.x, mark.horizontal, mask.width, picture.width, margin);
-        int top = place(mark.y, mark.vertical, mask.height, picture.height, margin);
-        const int shift = static_cast<int>(std::lround(mark.line * text_px * kLineSpacing));
-        top += mark.vertical == model::MarkAlign::kEnd ? -shift : shift;
-        const Rect box{left, top, left + mask.width, top + mask.height};
-        const bool outside = box.left < 0 || box.top < 0 || box.right > picture.width || box.bottom > picture.height;
-        // Lines of one block may share their borders.
-        const Rect core{box.left + border, box.top + 2 * border, box.right - border, box.bottom - 2 * border};
-        if (outside || std::any_of(taken.begin(), taken.end(), [&](const Rect& other) { return core.overlaps(other); }))
-            continue;
-        taken.push_back(core);
-        blend(picture, dilate(mask, border), left, top, 0);
-        blend(picture, mask, left, top, 255);
+        const bool in_block = mark.line > 0;
+        int line = mark.line;
+        for (const std::string& text :
+             in_block ? impl_->wrap(mark.text, size_px, border, picture.width - 2 * margin) : std::vector{mark.text}) {
+            const Mask mask = impl_->write(text, size_px, border);
+            const int left = place(mark.x, mark.horizontal, mask.width, picture.width, margin);
+            if (left < 0 || left + mask.width > picture.width) break;
+            // A line of a block moves on until it has room.
+            for (bool fits = false; !fits; ++line) {
+                const int shift = static_cast<int>(std::lround(line * text_px * kLineSpacing));
+                const int top = place(mark.y, mark.vertical, mask.height, picture.height, margin) +
+                                (mark.vertical == model::MarkAlign::kEnd ? -shift : shift);
+                if (top < 0 || top + mask.height > picture.height) break;
+                // Lines of one block may share their borders.
+                const Rect core{left + border, top + 2 * border, left + mask.width - border, top + mask.height - 2 * border};
+                fits = std::ranges::none_of(taken, [&](const Rect& other) { return core.overlaps(other); });
+                if (!fits && !in_block) break;
+                if (!fits) continue;
+                taken.push_back(core);
+                blend(picture, dilate(mask, border), left, top, 0);
+                blend(picture, mask, left, top, 255);
+            }
+        }
     }
 }
 
@@ -191,7 +232,8 @@ void Annotator::drawBars(Picture& picture, std::span<const model::ColourBar> bar
     const int margin = text_px / 3, border = std::max(1, text_px / 10);
     int right = picture.width - margin;
     for (const model::ColourBar& bar : bars) {
-        const Mask title = impl_->write(bar.title, text_px, border), low = impl_->write(bar.low, text_px, border),
+        const std::string name = impl_->shortened(bar.title, text_px, border, right - picture.width / 2);
+        const Mask title = impl_->write(name, text_px, border), low = impl_->write(bar.low, text_px, border),
                    high = impl_->write(bar.high, text_px, border);
         const int numbers = std::max(low.width, high.width);
         const int width = std::max(title.width, numbers + text_px);

@@ -1,10 +1,13 @@
 #include "io/environment_map.h"
 
 #include <algorithm>
+#include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <string_view>
 #include <utility>
 
 #include "base/error.h"
@@ -32,6 +35,7 @@ constexpr std::uint64_t kHeaderBytesMax = 65536;
 constexpr int kSideMax = 16384;
 /// Far above the sun's in any unit; and its square, as standard errors need it, is still a number of 32 bits.
 constexpr float kRadianceMax = 1e15F;
+constexpr double kExposureMin = 1e-30;
 
 /// The file's bytes for the library, which takes a file that ends early for one that goes on with whatever memory holds, or
 /// with runs of no pixels without end. So beyond the file it gets runs of one pixel, and whatever size the header has is
@@ -64,6 +68,33 @@ std::string number(float value) {
 
 Error corrupt(const ByteSource& file, const std::string& reason) {
     return {Code::kCorrupt, file.name() + ": not a Radiance picture that can be read (" + reason + ")"};
+}
+
+/// What the header's lines EXPOSURE= multiplied the pixels by, all together; the library passes over these lines.
+/// Source: Ward, "The RADIANCE picture file format".
+double exposureOf(const ByteSource& file, const std::vector<std::byte>& bytes) {
+    const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const std::string_view header = text.substr(0, text.find("\n\n"));
+    constexpr std::string_view kName = "EXPOSURE=";
+    double exposure = 1;
+    for (std::size_t line = header.find('\n'); line != header.npos; line = header.find('\n', line + 1)) {
+        if (!header.substr(line + 1).starts_with(kName)) continue;
+        std::string_view word = header.substr(line + 1 + kName.size());
+        word = word.substr(0, word.find_first_of("\r\n"));
+        word.remove_prefix(std::min(word.find_first_not_of(" \t+"), word.size()));
+        word = word.substr(0, word.find_last_not_of(" \t") + 1);
+        double value = 0;
+        const auto [end, failure] = std::from_chars(word.data(), word.data() + word.size(), value);
+        if (failure != std::errc() || end != word.data() + word.size() || !(value > 0) || !std::isfinite(value)) {
+            throw corrupt(file, "EXPOSURE is '" + std::string(word) + "'; it must be a number above 0");
+        }
+        exposure *= value;
+    }
+    if (!(exposure >= kExposureMin && exposure <= 1 / kExposureMin)) {
+        throw Error(Code::kUnsupported, file.name() + ": exposures of " + number(static_cast<float>(exposure)) +
+                                            " all together; 1e-30 to 1e30 are read");
+    }
+    return exposure;
 }
 
 /// \param bytes  that the file begins with
@@ -101,6 +132,7 @@ model::EnvironmentMap readEnvironmentMap(const std::filesystem::path& path) {
     // Runs of equal bytes shrink a row to a fiftieth at best; so a small file cannot ask for gigabytes.
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
     if (count > bytes.size() * 64) throw corrupt(file, "its header promises more pixels than the file can hold");
+    const double exposure = exposureOf(file, bytes);
     Bytes source{std::move(bytes)};
     const stbi_io_callbacks reader{&Bytes::read, &Bytes::skip, &Bytes::end};
     int channels = 0;
@@ -110,7 +142,9 @@ model::EnvironmentMap readEnvironmentMap(const std::filesystem::path& path) {
     if (!pixels) throw corrupt(file, stbi_failure_reason());
     model::EnvironmentMap map{size.x, size.y, {}, file.name(), {}};
     map.pixels.reserve(count);
-    for (const float* rgb = pixels.get(); map.pixels.size() < count; rgb += 3) map.pixels.emplace_back(rgb[0], rgb[1], rgb[2]);
+    for (const float* rgb = pixels.get(); map.pixels.size() < count; rgb += 3) {
+        map.pixels.emplace_back(glm::dvec3(rgb[0], rgb[1], rgb[2]) / exposure);
+    }
     checkEnvironmentMap(map);
     return map;
 }

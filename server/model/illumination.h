@@ -107,19 +107,20 @@ void validate(const Illumination& light, const std::string& where);
 
 /// How far a picture's global light is. Of path tracing, the picture's pixels take the place of texels.
 struct IlluminationInfo {
-    std::uint64_t texels = 0;           ///< of the whole lattice
-    std::uint64_t texels_needed = 0;    ///< by the pixels of this picture
-    std::uint64_t texels_done = 0;      ///< of them: at the wanted error, or at the largest number of samples
-    std::uint64_t bricks_left_out = 0;  ///< that the budget had no room for; what needs them is lit locally
-    std::uint64_t samples = 0;          ///< paths followed for this picture
-    double mean_error = 0;              ///< relative standard error of the texels needed that have light, mean
-    double p95_error = 0;               ///< and 95th percentile
-    double seconds = 0;                 ///< spent on texels for this picture
-    std::uint64_t bytes = 0;            ///< device memory of texels
-    std::uint64_t payload_bytes = 0;    ///< of it: what the texels keep of light
-    std::uint64_t texels_read = 0;      ///< of the whole lattice: that came from a saved one
-    bool projected = false;             ///< texels are lit on the shown surface
-    std::string saved;                  ///< of Illumination::full, once it is done: the file's name, or why there is none
+    std::uint64_t texels = 0;                 ///< of the whole lattice
+    std::uint64_t texels_needed = 0;          ///< by the pixels of the picture's latest sample
+    std::uint64_t texels_done = 0;            ///< of them: at the wanted error, or at the largest number of samples
+    std::uint64_t texels_out_of_samples = 0;  ///< of them: at the largest number of samples and not at the wanted error
+    std::uint64_t bricks_left_out = 0;        ///< that the budget had no room for; what needs them is lit locally
+    std::uint64_t samples = 0;                ///< paths followed for this picture, for all its samples together
+    double mean_error = 0;                    ///< relative standard error of the texels needed that have light, mean
+    double p95_error = 0;                     ///< and 95th percentile
+    double seconds = 0;                       ///< spent on these paths
+    std::uint64_t bytes = 0;                  ///< device memory of texels
+    std::uint64_t payload_bytes = 0;          ///< of it: what the texels keep of light
+    std::uint64_t texels_read = 0;            ///< of the whole lattice: that came from a saved one
+    bool projected = false;                   ///< texels are lit on the shown surface
+    std::string saved;                        ///< of Illumination::full, once it is done: the file's name, or why there is none
     bool operator==(const IlluminationInfo&) const = default;
 };
 

@@ -25,6 +25,13 @@ std::vector<std::string> leftOutTexts(const LeftOut& left_out, bool names_layer)
     if (left_out.glyphs_without_lobes > 0) {
         texts.push_back(layer + counted(left_out.glyphs_without_lobes, "glyph") + " left out: no lobe to show");
     }
+    if (left_out.fiblet_pages_left_out > 0) {
+        texts.push_back(layer + "subset of fibres in " + std::to_string(left_out.fiblet_pages_left_out) + " of " +
+                        std::to_string(left_out.fiblet_pages) + " pages: beyond the memory for fibres");
+    }
+    if (left_out.global_light) {
+        texts.push_back(layer + "no global light: only opaque isosurfaces without a shading of their own take it");
+    }
     return texts;
 }
 

@@ -1,4 +1,5 @@
-// What a layer of glyphs does not show of its dataset beside what its selection leaves out: bands, voxels, glyphs.
+// What a layer does not show of its dataset beside what its selection leaves out: bands, voxels, glyphs, pages of fibres; and
+// global light that no layer takes.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +14,12 @@ struct LeftOut {
     std::uint64_t voxels_not_finite = 0;     ///< of the whole dataset: a coefficient is NaN or infinite
     std::uint64_t glyphs_out_of_range = 0;   ///< selected, and too large or too small for float32
     std::uint64_t glyphs_without_lobes = 0;  ///< selected, and without a lobe that is shown
+    /// Of fibres that are not all on the device: pages that can be seen, and those of them of which a subset is shown.
+    std::uint64_t fiblet_pages = 0, fiblet_pages_left_out = 0;
+    bool global_light = false;  ///< was asked for, and no layer takes it
     bool anything() const {
-        return lmax < lmax_available || voxels_not_finite + glyphs_out_of_range + glyphs_without_lobes > 0;
+        return lmax < lmax_available || global_light ||
+               voxels_not_finite + glyphs_out_of_range + glyphs_without_lobes + fiblet_pages_left_out > 0;
     }
     bool operator==(const LeftOut&) const = default;
 };

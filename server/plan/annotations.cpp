@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 namespace radiata::plan {
 namespace {
@@ -14,8 +15,11 @@ using model::MarkAlign;
 constexpr double kSecondLetter = 0.25;  // sine of the angle from which the second letter is written
 constexpr float kLetterSize = 1.4F;
 
-std::string stateText(model::FrameState state, int samples, int samples_wanted) {
-    if (state == model::FrameState::kConverged) return "converged";
+/// Short, as it has to stay clear of the letter beside it in small pictures too.
+std::string stateText(model::FrameState state, int samples, int samples_wanted, const SubsetFacts& facts) {
+    const bool part =
+        std::ranges::any_of(facts.left_out, [](const model::LeftOut& left_out) { return left_out.fiblet_pages_left_out > 0; });
+    if (state == model::FrameState::kConverged) return part ? "converged subset" : "converged";
     if (state == model::FrameState::kInteractive) return "interactive";
     return "refining " + std::to_string(samples) + " of " + std::to_string(samples_wanted);
 }
@@ -63,11 +67,31 @@ std::string subsetText(const model::Scene& scene, const SubsetFacts& facts) {
     return what + ": " + std::to_string(facts.glyphs) + " of " + std::to_string(facts.glyphs_available) + " glyphs shown";
 }
 
-/// Empty if all fibres of the picture are shown.
-std::string fibreSubsetText(const SubsetFacts& facts) {
-    if (facts.pages_shown >= facts.pages) return {};
-    return "subset of fibres in " + std::to_string(facts.pages - facts.pages_shown) + " of " + std::to_string(facts.pages) +
-           " pages";
+/// Legend of a colour map with its ends. \param range  model::ColourRange, or that of fibres
+template <typename Range>
+model::ColourBar barOf(ColourMap map, const std::string& title, const Range& range) {
+    return {map, title, shortNumber(range.low), shortNumber(range.high)};
+}
+
+std::optional<model::ColourBar> glyphBar(const model::GlyphColour& colour) {
+    if (!colour.usesMap() || !colour.range) return {};
+    return barOf(colour.map, colour.mode == model::ColourMode::kRadius ? "radius, mm" : colour.image_id, *colour.range);
+}
+
+std::optional<model::ColourBar> fibreBar(const model::FibreColour& colour) {
+    if (!colour.usesMap() || !colour.range) return {};
+    std::string title = colour.column;
+    if (colour.mode == model::FibreColourMode::kLength) title = "length, mm";
+    if (colour.mode == model::FibreColourMode::kDistance) title = "distance, mm";
+    if (colour.mode == model::FibreColourMode::kPointColumn && colour.component > 0) {
+        title += ":" + std::to_string(colour.component);
+    }
+    return barOf(colour.map, title, *colour.range);
+}
+
+std::optional<model::ColourBar> surfaceBar(const model::IsosurfaceLayer& surface) {
+    if (!surface.colour_by || !surface.colour_by->range) return {};
+    return barOf(surface.colour_by->map, surface.colour_by->image_id, *surface.colour_by->range);
 }
 
 Mark corner(std::string text, float x, float y, int line) {
@@ -110,10 +134,10 @@ std::vector<Mark> annotations(const model::FrameRequest& request, model::FrameSt
         edge(axes.up, 0.5F, 0, MarkAlign::kCenter, MarkAlign::kStart),
         edge(-axes.up, 0.5F, 1, MarkAlign::kCenter, MarkAlign::kEnd),
         corner("not for diagnostic use", 1, 1, 0),
-        corner(stateText(state, samples, request.quality.samples), 0, 0, 0),
+        corner(stateText(state, samples, request.quality.samples, facts), 0, 0, 0),
         corner(conventionText(request.scene.annotations.convention, axes.right), 0, 1, 0),
     };
-    std::vector<std::string> texts{lobesText(request.scene), subsetText(request.scene, facts), fibreSubsetText(facts)};
+    std::vector<std::string> texts{lobesText(request.scene), subsetText(request.scene, facts)};
     for (const model::LeftOut& left_out : facts.left_out) {
         for (std::string& text : model::leftOutTexts(left_out, request.scene.layers.size() > 1))
             texts.push_back(std::move(text));
@@ -129,12 +153,11 @@ std::vector<model::ColourBar> colourBars(const model::FrameRequest& request) {
     std::vector<model::ColourBar> bars;
     if (request.scene.annotations.hidden) return bars;
     for (const model::Layer& layer : request.scene.layers) {
-        if (!layer.ifGlyphs()) continue;
-        const model::GlyphColour& colour = layer.glyphs().colour;
-        if (!colour.usesMap() || !colour.range) continue;
-        const std::string title = colour.mode == model::ColourMode::kRadius ? "radius, mm" : colour.image_id;
-        const model::ColourBar bar{colour.map, title, shortNumber(colour.range->low), shortNumber(colour.range->high)};
-        if (std::find(bars.begin(), bars.end(), bar) == bars.end()) bars.push_back(bar);
+        const std::optional<model::ColourBar> bar = layer.ifGlyphs()    ? glyphBar(layer.glyphs().colour)
+                                                    : layer.ifTracts()  ? fibreBar(layer.tracts().colour)
+                                                    : layer.ifSurface() ? surfaceBar(layer.surface())
+                                                                        : std::nullopt;
+        if (bar && std::find(bars.begin(), bars.end(), *bar) == bars.end()) bars.push_back(*bar);
     }
     return bars;
 }

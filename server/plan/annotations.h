@@ -13,11 +13,9 @@ namespace radiata::plan {
 
 /// What the picture leaves out of the datasets.
 struct SubsetFacts {
-    std::uint64_t glyphs = 0;            ///< in the scene
-    std::uint64_t glyphs_available = 0;  ///< that the layers' datasets hold
-    /// Of fibres that are not all on the device: pages that can be seen, and those of them that are shown in full.
-    std::uint64_t pages = 0, pages_shown = 0;
-    std::vector<model::LeftOut> left_out{};  ///< of layers of glyphs
+    std::uint64_t glyphs = 0;                ///< in the scene
+    std::uint64_t glyphs_available = 0;      ///< that the layers' datasets hold
+    std::vector<model::LeftOut> left_out{};  ///< of layers
 };
 
 /// Orientation letters of a world direction (RAS): the dominant axis first, a second letter where the direction leaves that

@@ -23,6 +23,11 @@ bool isVeil(const model::Layer& layer) { return layer.ifSurface() && layer.opaci
 void planIsosurface(FramePlan& plan, std::size_t index, const LayerFacts& facts, const Abilities& abilities) {
     model::Layer& layer = plan.resolved.scene.layers[index];
     model::IsosurfaceLayer& surface = layer.surface();
+    if (facts.value_min == facts.value_max) {
+        throw Error(Code::kInvalidArgument, "scene.layers[" + std::to_string(index) + "].isosurface: '" + surface.dataset_id +
+                                                "' has the value " + number(facts.value_min) +
+                                                " everywhere; a surface lies between different values");
+    }
     const float isovalue = surface.isovalue.value_or(static_cast<float>(facts.value_split));
     if (!(isovalue >= facts.value_min && isovalue <= facts.value_max)) {
         throw Error(Code::kInvalidArgument, "scene.layers[" + std::to_string(index) + "].isosurface.isovalue is " +

@@ -74,6 +74,9 @@ void fillInfo(v1::Frame& message, const model::FrameInfo& info) {
         added->set_voxels_not_finite(left_out.voxels_not_finite);
         added->set_glyphs_out_of_range(left_out.glyphs_out_of_range);
         added->set_glyphs_without_lobes(left_out.glyphs_without_lobes);
+        added->set_fiblet_pages(left_out.fiblet_pages);
+        added->set_fiblet_pages_left_out(left_out.fiblet_pages_left_out);
+        added->set_global_light(left_out.global_light);
         for (const std::string& text : model::leftOutTexts(left_out, info.request.scene.layers.size() > 1)) {
             added->add_texts(text);
         }

@@ -126,6 +126,7 @@ v1::IlluminationProgress toProto(const model::IlluminationInfo& info) {
     message.set_texels(info.texels);
     message.set_texels_needed(info.texels_needed);
     message.set_texels_done(info.texels_done);
+    message.set_texels_out_of_samples(info.texels_out_of_samples);
     message.set_bricks_left_out(info.bricks_left_out);
     message.set_samples(info.samples);
     message.set_mean_error(info.mean_error);

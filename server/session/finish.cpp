@@ -14,8 +14,7 @@ StreamFrame finish(model::Frame frame, ImageFormat format, encode::Annotator& an
     const auto start = std::chrono::steady_clock::now();
     encode::Picture picture{frame.pixels.width, frame.pixels.height, std::move(frame.pixels.rgba)};
     frame.pixels.rgba.clear();
-    const plan::SubsetFacts facts{frame.info.glyphs, frame.info.glyphs_available, frame.info.fiblet_pages_wanted,
-                                  frame.info.fiblet_pages_resident, frame.info.left_out};
+    const plan::SubsetFacts facts{frame.info.glyphs, frame.info.glyphs_available, frame.info.left_out};
     annotator.draw(picture, plan::annotations(frame.info.request, frame.info.state, frame.info.samples, facts));
     annotator.drawBars(picture, plan::colourBars(frame.info.request));
 

@@ -47,12 +47,13 @@ class SelectTest(unittest.TestCase):
                                 self.folder / "cache", "--tract-memory", 0.04])
         try:
             limits = json.loads(run("radiata", "limits", "--json", server=server.address).stdout)
-            run("radiata", "render", "--tracts", "bundles", "--size", "64x48", "--samples", 2, "-o", self.folder / "some.png",
-                server=server.address)
+            told = run("radiata", "render", "--tracts", "bundles", "--size", "64x48", "--samples", 2, "-o", self.folder / "some.png",
+                       server=server.address).stderr
             entry = json.loads(run("radiata", "info", "bundles", "--json", server=server.address).stdout)
             text = run("radiata", "info", "bundles", server=server.address).stdout
         finally:
             server.stop()
+        self.assertRegex(told, r"\Asubset of fibres in \d+ of \d+ pages: beyond the memory for fibres\n\Z")
         self.assertEqual(limits["tract_memory_bytes"], 41943)
         self.assertLessEqual(entry["gpu_bytes"], 41943)
         self.assertTrue(0 < entry["resident_pages"] < entry["fiblet_pages"])
@@ -92,6 +93,11 @@ class SelectTest(unittest.TestCase):
         looks[looks.index("group(cst_left)")] = f'group("{groups[0]}")'
         self.radiata("render", *picture, *looks)
         self.assertTrue((self.folder / "look.png").read_bytes().startswith(b"\x89PNG"))
+        two = [*picture, "--tracts", "bundles", "--show", "fibres(3)"]
+        self.assertEqual(self.radiata("lasso", *two, "--outline", "0,0,64,48", "--list", "--through").stdout, "bundles 3\nbundles 3\n")
+        self.radiata("render", *two, "-o", self.folder / "two.png", "--info", self.folder / "two.json")
+        layers = json.loads((self.folder / "two.json").read_text())["request"]["scene"]["layers"]
+        self.assertEqual([layer["tractogram"]["dataset_id"] for layer in layers], ["bundles", "bundles"])
         distance = ["--fibre-colour", "distance", "--fibre-near", "mesh(left)", "-o", self.folder / "far.png"]
         self.radiata("render", *picture, *distance)
         for flags, words in ((["--cut-inside", "mesh(brain)"], "mesh"), (["--criterion", "along,1,0"], "at most"),

@@ -145,6 +145,7 @@ class RealSurfacesTest(ClientTest):
         write_volume(data / "ball.nii", (12, 12, 12), ball)
         write_volume(data / "holes.nii", (12, 12, 12), lambda x, y, z: nan if x < 2 else ball(x, y, z))
         write_volume(data / "nothing.nii", (4, 4, 4), lambda x, y, z: nan)
+        write_volume(data / "even.nii", (4, 4, 4), lambda x, y, z: 3)
         write_volume(data / "voxel.nii", (1, 1, 1), ball)
         write_volume(data / "slice.nii", (12, 12, 1), ball)
         write_volume(data / "liar.nii", (4, 4, 4), ball, promised=(400, 4, 4))
@@ -186,12 +187,22 @@ class RealSurfacesTest(ClientTest):
         self.render("--isosurface", "holes:0.5")
         self.assertRegex(self.radiata("info", "holes").stdout, r"voxels without a value +288\b")
 
+        done = self.render("--isosurface", "ball:0.5,opacity=0.5", *GLOBAL, "--info", self.folder / "info.json")
+        self.assertEqual(done.stderr, "no global light: only opaque isosurfaces without a shading of their own take it\n")
+        left_out = json.loads((self.folder / "info.json").read_text())["left_out"]
+        self.assertEqual([(one["layer"], one["global_light"]) for one in left_out], [(0, True)])
+        done = self.render("--isosurface", "ball:0.7", *GLOBAL, "--light-samples", "4", "--light-error", "0.001")
+        self.assertRegex(done.stderr, r"global light: (\d+) of \1 texels done \(lattice of 1728\), \d+ of them by the most samples")
+        done = self.render("--isosurface", "ball:0.5", *GLOBAL, "--light-method", "path-tracing", *traced)
+        self.assertRegex(done.stderr, r"global light: (\d+) of \1 lit pixels done \(picture of 384\)")
+
         little = self.render("--isosurface", "ball:0.5", *GLOBAL, *traced, "--light-budget", "0.001")
         self.assertIn("the budget had no room for", little.stderr + little.stdout)
         light = ["--isosurface", "ball:0.5", *GLOBAL, *traced]
         for arguments, sentence in (
                 (["--isosurface", "ball:50"], "isovalue is 50; 'ball' has values from -"),
                 (["--isosurface", "nothing"], "none of the 64 voxels is a finite number"),
+                (["--isosurface", "even"], "'even' has the value 3 everywhere"),
                 (["--isosurface", "voxel"], "1 x 1 x 1 voxels; an isosurface needs at least 2"),
                 (["--isosurface", "slice"], "12 x 12 x 1 voxels"),
                 (["--isosurface", "liar"], "the header promises data up to byte"),

@@ -71,6 +71,7 @@ protected:
         EXPECT_GT(some.info.fiblet_pages_wanted, 0U);
         EXPECT_EQ(some.info.fiblet_pages_resident, some.info.fiblet_pages_wanted);
         EXPECT_EQ(some.info.state, model::FrameState::kConverged);
+        EXPECT_TRUE(some.info.left_out.empty());
         EXPECT_GT(some.info.hit_pixels, 200U);
         EXPECT_EQ(some.pixels.id, all.pixels.id);
         EXPECT_EQ(some.pixels.depth, all.pixels.depth);
@@ -127,6 +128,8 @@ TEST_F(FibreStreaming, PicturesOfTooMuchSayWhatIsLeftOutAndAreRepeatable) {
     EXPECT_EQ(some.info.state, model::FrameState::kConverged);
     EXPECT_GT(some.info.fiblet_pages_left_out, 0U);
     EXPECT_EQ(some.info.fiblet_pages_resident + some.info.fiblet_pages_left_out, some.info.fiblet_pages_wanted);
+    EXPECT_EQ(some.info.left_out, (std::vector<model::LeftOut>{{.fiblet_pages = some.info.fiblet_pages_wanted,
+                                                                .fiblet_pages_left_out = some.info.fiblet_pages_left_out}}));
     EXPECT_LT(some.info.hit_pixels, all.info.hit_pixels);
     expectPart(some, all);
     std::vector<int> hits(kBundles);

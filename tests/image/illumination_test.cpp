@@ -164,6 +164,10 @@ TEST_F(GlobalLight, LooksOnlyAtWhatIsSeenAndReachesTheErrorThatWasAskedFor) {
     EXPECT_GT(info.mean_error, 0);
     EXPECT_EQ(info.bricks_left_out, 0u);
     EXPECT_TRUE(info.projected);
+    // Of both samples of the picture; the second one's own texels are few.
+    EXPECT_GE(info.samples, 16 * info.texels_needed);
+    EXPECT_GT(info.seconds, 0);
+    EXPECT_EQ(info.texels_out_of_samples, 0u);
 
     // Drawn again, the same view asks for nothing, and knows what it needs.
     wanted.quality.samples = 1;

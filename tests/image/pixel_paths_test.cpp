@@ -167,8 +167,15 @@ TEST_F(PixelPaths, StopAtTheErrorThatWasAskedForAndGrowStepByStep) {
     EXPECT_EQ(frame.pixels.rgba, whole.pixels.rgba) << "however it came about";
     EXPECT_EQ(whole.info.illumination->texels_done, whole.info.illumination->texels_needed);
     EXPECT_LT(whole.info.illumination->p95_error, 0.1 * 1.01);
-    EXPECT_LT(whole.info.illumination->samples, 512 * whole.info.illumination->texels_needed / 4)
+    EXPECT_LT(whole.info.illumination->samples, 1024 * whole.info.illumination->texels_needed / 4)
         << "most pixels are done early";
+    // Eight paths of each of four replicates at least, in both samples, beside those of the first picture.
+    EXPECT_GE(whole.info.illumination->samples, 63 * whole.info.illumination->texels_needed);
+    EXPECT_GE(frame.info.illumination->samples, whole.info.illumination->samples);
+    lightOf(wanted).samples_max = 16;
+    const model::Frame few = renderer.renderAll(wanted);
+    EXPECT_EQ(few.info.illumination->texels_done, few.info.illumination->texels_needed);
+    EXPECT_EQ(few.info.illumination->texels_out_of_samples, few.info.illumination->texels_needed) << "too few for an error";
 }
 
 TEST_F(PixelPaths, KeepNothingAndCostOthersNothing) {

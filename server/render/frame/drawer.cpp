@@ -98,7 +98,6 @@ void Drawer::drawSample(Target::Impl& target, const DrawList& list, int sample, 
         if (sample == 0) {
             target.samples = 0;
             target.settled = list.settled;
-            target.path_seconds = 0;
             target.approximate = false;
             if (!list.same_view) target.surface_number = ++surfaces_;
             fillFrameParameters(device_, colour_tables_, target, list);

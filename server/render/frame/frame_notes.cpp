@@ -19,10 +19,19 @@ void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::
     }
 }
 
-void noteLeftOut(const DrawList& list, model::FrameInfo& info) {
+void noteLeftOut(const Target::Impl& target, const DrawList& list, model::FrameInfo& info) {
+    const model::Scene& scene = list.plan->resolved.scene;
+    const auto first_surface =
+        std::ranges::find_if(scene.layers, [](const model::Layer& layer) { return layer.ifSurface() != nullptr; });
+    const auto unlit = static_cast<std::size_t>(first_surface == scene.layers.end() ? 0 : first_surface - scene.layers.begin());
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
-        if (list.layers[i].glyphs == nullptr) continue;
-        model::LeftOut left_out = list.layers[i].glyphs->leftOut();
+        model::LeftOut left_out;
+        if (list.layers[i].glyphs != nullptr) left_out = list.layers[i].glyphs->leftOut();
+        if (list.layers[i].tracts) {
+            left_out.fiblet_pages = target.fiblets[i]->pages_wanted;
+            left_out.fiblet_pages_left_out = target.fiblets[i]->pages_left_out + target.fiblets[i]->pages_missing;
+        }
+        left_out.global_light = i == unlit && scene.light.illumination && !list.plan->usesGlobalLight();
         left_out.layer = static_cast<int>(i);
         if (left_out.anything()) info.left_out.push_back(left_out);
     }

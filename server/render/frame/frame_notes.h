@@ -17,8 +17,8 @@ namespace radiata::render {
 /// The latest time of each pass, in order of first use; what ran for the first sample only (the table) stays.
 void notePasses(const std::vector<gpu::PassTiming>& timings, std::vector<model::PassTime>& passes);
 
-/// What layers of glyphs leave out.
-void noteLeftOut(const DrawList& list, model::FrameInfo& info);
+/// What layers leave out; of fibres, pages of the latest sample.
+void noteLeftOut(const Target::Impl& target, const DrawList& list, model::FrameInfo& info);
 
 /// What became of the layers' fiblets in the latest sample.
 void noteFiblets(const Target::Impl& target, const DrawList& list, model::FrameInfo& info);

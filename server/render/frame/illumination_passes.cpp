@@ -48,7 +48,7 @@ LatticeRun latticeRun(const PassRun& run) {
     return {run.device, run.recorder,
             [&pipelines = run.pipelines](const std::string& shader, const std::vector<std::uint32_t>& constants)
                 -> const gpu::ComputePipeline& { return pipelines.get(shader, constants); },
-            run.cancel};
+            run.cancel, &run.target.light_spent};
 }
 
 void runIllumination(PassRun& run, const plan::PassPlan& pass) {
@@ -74,9 +74,6 @@ bool takeReadyLight(const PassRun& run) {
         if (pass.kind != plan::PassKind::kIllumination) continue;
         const IlluminationLattice& lattice = latticeOf(run.list, pass.layer, true);
         if (lattice.requestedFor() != run.target.surface_number || !lattice.done()) return false;
-    }
-    for (const plan::PassPlan& pass : run.list.plan->passes) {
-        if (pass.kind == plan::PassKind::kIllumination) latticeOf(run.list, pass.layer, true).keepRequest();
     }
     return true;
 }
@@ -104,8 +101,10 @@ bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::t
     return done;
 }
 
-model::IlluminationInfo illuminationInfo(const DrawList& list) {
+model::IlluminationInfo illuminationInfo(const Target::Impl& target, const DrawList& list) {
     model::IlluminationInfo sum;
+    sum.samples = target.light_spent.samples;
+    sum.seconds = target.light_spent.seconds;
     double known = 0;
     for (std::size_t i = 0; i < list.layers.size(); ++i) {
         if (!list.layers[i].lattice) continue;
@@ -114,9 +113,8 @@ model::IlluminationInfo illuminationInfo(const DrawList& list) {
         sum.texels += one.texels;
         sum.texels_needed += one.texels_needed;
         sum.texels_done += one.texels_done;
+        sum.texels_out_of_samples += one.texels_out_of_samples;
         sum.bricks_left_out += one.bricks_left_out;
-        sum.samples += one.samples;
-        sum.seconds += one.seconds;
         sum.bytes += one.bytes;
         sum.payload_bytes += one.payload_bytes;
         sum.texels_read += one.texels_read;

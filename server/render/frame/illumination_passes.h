@@ -16,7 +16,7 @@ LatticeRun latticeRun(const PassRun& run);
 void runIllumination(PassRun& run, const plan::PassPlan& pass);
 
 /// Whether the latest request of each of the picture's lattices was for its surface buffer, and its texels are done, so that
-/// nothing needs to be asked for once more. If so, their counts of paths begin anew.
+/// nothing needs to be asked for once more.
 bool takeReadyLight(const PassRun& run);
 /// Whether a pixel lacked texels after all, as far as there is room for them.
 bool lightLacks(const PassRun& run);
@@ -25,7 +25,7 @@ bool lightLacks(const PassRun& run);
 /// them. \return whether all are as exact as asked for  \throws Error(kCancelled); the picture's first sample stays
 bool settleIllumination(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until);
 
-/// Sums over layers.
-model::IlluminationInfo illuminationInfo(const DrawList& list);
+/// Sums over layers; paths and time of all the picture's samples, texels of the latest.
+model::IlluminationInfo illuminationInfo(const Target::Impl& target, const DrawList& list);
 
 }  // namespace radiata::render

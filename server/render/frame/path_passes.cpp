@@ -54,6 +54,28 @@ void addPath(PassRun& run, const plan::PassPlan& pass, std::uint32_t path, BandS
         bands);
 }
 
+/// Of the latest sample, the pixels that show a layer whose pixels are path-traced.
+std::vector<shader::PixelPaths> litPixels(gpu::Device& device, const Target::Impl& target, const DrawList& list) {
+    const std::size_t pixels = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
+    std::vector<shader::PixelPaths> paths(pixels);
+    std::vector<shader::Surface> surfaces(pixels);
+    gpu::download(device, target.paths, 0, std::as_writable_bytes(std::span(paths)));
+    gpu::download(device, target.surface, 0, std::as_writable_bytes(std::span(surfaces)));
+    std::uint32_t traced = 0;  // layers
+    for (const plan::PassPlan& pass : list.plan->passes) {
+        if (pass.kind == plan::PassKind::kPixelPaths) traced |= 1U << static_cast<std::uint32_t>(pass.layer);
+    }
+    std::size_t lit = 0;
+    for (std::size_t i = 0; i < pixels; ++i) {
+        if (surfaces[i].who == 0xffffffffU || (traced >> (surfaces[i].layer_and_steps >> 24U) & 1U) == 0) continue;
+        paths[lit++] = paths[i];
+    }
+    paths.resize(lit);
+    return paths;
+}
+
+std::uint64_t followed(const shader::PixelPaths& paths) { return std::uint64_t{paths.count} * shader::LATTICE_REPLICATES; }
+
 }  // namespace
 
 void runPixelPaths(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
@@ -62,7 +84,7 @@ void runPixelPaths(PassRun& run, const plan::PassPlan& pass, BandSize& bands) {
     const std::uint32_t count = run.list.settled ? pathsMax(run.list) : kFirstPaths;
     const auto begin = Clock::now();
     for (std::uint32_t path = 0; path < count; ++path) addPath(run, pass, path, bands);
-    run.target.path_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    run.target.light_spent.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     run.target.path_count = count;
 }
 
@@ -76,34 +98,34 @@ bool settlePixelPaths(PassRun& run, std::optional<Clock::time_point> until, Band
             if (pass.kind == plan::PassKind::kPixelPaths) addPath(run, pass, path, bands);
         }
     }
-    run.target.path_seconds += std::chrono::duration<double>(Clock::now() - begin).count();
+    run.target.light_spent.seconds += std::chrono::duration<double>(Clock::now() - begin).count();
     return path >= count;
 }
 
+void keepPathCount(gpu::Device& device, Target::Impl& target, const DrawList& list) {
+    if (!list.plan->usesPathTracing() || target.path_count == 0) return;
+    for (const shader::PixelPaths& paths : litPixels(device, target, list)) target.light_spent.samples += followed(paths);
+    target.path_count = 0;
+}
+
 model::IlluminationInfo pathInfo(gpu::Device& device, const Target::Impl& target, const DrawList& list) {
-    const std::size_t pixels = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height);
-    std::vector<shader::PixelPaths> paths(pixels);
-    std::vector<shader::Surface> surfaces(pixels);
-    gpu::download(device, target.paths, 0, std::as_writable_bytes(std::span(paths)));
-    gpu::download(device, target.surface, 0, std::as_writable_bytes(std::span(surfaces)));
-    std::uint32_t traced = 0;  // layers
-    for (const plan::PassPlan& pass : list.plan->passes) {
-        if (pass.kind == plan::PassKind::kPixelPaths) traced |= 1U << static_cast<std::uint32_t>(pass.layer);
-    }
+    const std::vector<shader::PixelPaths> pixels = litPixels(device, target, list);
     model::IlluminationInfo info;
-    info.texels = pixels;
-    info.seconds = target.path_seconds;
+    info.texels = static_cast<std::uint64_t>(target.width) * static_cast<std::uint64_t>(target.height);
+    info.texels_needed = pixels.size();
+    info.samples = target.light_spent.samples;
+    info.seconds = target.light_spent.seconds;
     info.bytes = target.paths.sizeBytes();
+    const bool ended = target.path_count >= pathsMax(list);
     const auto drawn = static_cast<double>(std::max(target.samples, 1));
     std::vector<double> errors;
-    for (std::size_t i = 0; i < pixels; ++i) {
-        if (surfaces[i].who == 0xffffffffU || (traced >> (surfaces[i].layer_and_steps >> 24U) & 1U) == 0) continue;
-        ++info.texels_needed;
-        const bool done = target.path_count >= pathsMax(list) ||
-                          (target.path_count >= kLeastPaths && paths[i].relative_error <= wantedError(list));
-        info.texels_done += done;
-        info.samples += std::uint64_t{paths[i].count} * shader::LATTICE_REPLICATES;
-        if (paths[i].relative_error >= 0) errors.push_back(static_cast<double>(paths[i].relative_error) / std::sqrt(drawn));
+    for (const shader::PixelPaths& paths : pixels) {
+        const bool exact =
+            paths.relative_error < 0 || (target.path_count >= kLeastPaths && paths.relative_error <= wantedError(list));
+        info.texels_done += ended || exact;
+        info.texels_out_of_samples += ended && !exact;
+        info.samples += followed(paths);
+        if (paths.relative_error >= 0) errors.push_back(static_cast<double>(paths.relative_error) / std::sqrt(drawn));
     }
     if (errors.empty()) return info;
     for (const double error : errors) info.mean_error += error / static_cast<double>(errors.size());

@@ -17,7 +17,10 @@ void runPixelPaths(PassRun& run, const plan::PassPlan& pass, BandSize& bands);
 /// \throws Error(kCancelled); the picture's first sample stays
 bool settlePixelPaths(PassRun& run, std::optional<std::chrono::steady_clock::time_point> until, BandSize& bands);
 
-/// Of the latest sample, with what all samples of the picture together make of its errors.
+/// Before another sample takes the place of the latest one: adds its paths to those of the picture.
+void keepPathCount(gpu::Device& device, Target::Impl& target, const DrawList& list);
+
+/// Pixels of the latest sample, with what all samples of the picture together make of its errors; paths of all samples.
 model::IlluminationInfo pathInfo(gpu::Device& device, const Target::Impl& target, const DrawList& list);
 
 /// Gives the layers of a planned frame that are lit by paths from pixels what these need.

@@ -250,6 +250,11 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     // All samples at once are wanted as they will be; step by step, pictures show how far the light is.
     std::optional<std::chrono::steady_clock::time_point> until;
     if (first_sample + count < request.quality.samples || first_sample > 0) until = begin + kSettleSlice;
+    if (first_sample == 0) buffers.forgetPaths();
+    const auto drawSample = [&](int sample) {
+        keepPathCount(impl_->device, buffers, list);
+        impl_->drawer.drawSample(buffers, list, sample, cancel);
+    };
     const auto settle = [&] {
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
@@ -265,15 +270,15 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         const bool pages_lost = global && !buffers.settled && buffers.pages_serial != pagesSerial(list);
         if (sample > 0 && (buffers.pages_missing || pages_lost)) {
             list.pages_until = until;
-            impl_->drawer.drawSample(buffers, list, 0, cancel);
+            drawSample(0);
             buffers.hit_pixels = buffers.counters().hit_pixels;
             if (buffers.pages_missing) break;
         }
         list.pages_until = sample == 0 ? list.pages_until : std::nullopt;
         if (sample > 0 && !settle()) break;
         // A picture that rests has its first sample drawn as the others are.
-        if (sample > 0 && buffers.approximate) impl_->drawer.drawSample(buffers, list, 0, cancel);
-        impl_->drawer.drawSample(buffers, list, sample, cancel);
+        if (sample > 0 && buffers.approximate) drawSample(0);
+        drawSample(sample);
         notePasses(impl_->drawer.takeTimings(), frame.info.passes);
         if (sample == 0) {
             list.settled = buffers.settled;
@@ -283,13 +288,14 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
         }
     }
     if (buffers.samples == request.quality.samples) settle();
-    if (global) impl_->lattices.save(list, impl_->store);
     if (global) {
-        frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
+        impl_->lattices.save(list, impl_->store);
+        frame.info.illumination =
+            plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(buffers, list);
     }
     frame.info.hit_pixels = buffers.hit_pixels;
     frame.info.capped_rays = buffers.counters().capped_rays;
-    noteLeftOut(list, frame.info);
+    noteLeftOut(buffers, list, frame.info);
     noteFiblets(buffers, list, frame.info);
     frame.info.fiblet_bytes_read = pageBytesRead(list) - read_before;
     noteFibreMemory(list, impl_->store);

@@ -6,6 +6,7 @@
 
 #include "gpu/buffer.h"
 #include "render/frame/renderer.h"
+#include "render/light/light_spent.h"
 #include "shaders/shared/frame.glsl"
 #include "shaders/shared/glyph.glsl"
 #include "shaders/shared/layer_look.glsl"
@@ -63,7 +64,7 @@ struct Target::Impl {
     bool pages_missing = false;         ///< the latest sample waits for pages of fibres
     std::uint64_t pages_serial = 0;     ///< of the scenes of fibres when it was drawn
     std::uint32_t path_count = 0;       ///< paths of each replicate in them
-    double path_seconds = 0;            ///< spent on paths of the picture
+    LightSpent light_spent;             ///< on global light of the picture; of path tracing without the latest sample's paths
     std::uint64_t surface_number = 0;   ///< of the first sample in the surface buffer: views have their own
     std::uint64_t request_surface = 0;  ///< that which `request` was drawn into
     bool settled = false;               ///< its global light is that of a picture at rest
@@ -73,6 +74,12 @@ struct Target::Impl {
 
     /// Buffers for a picture of this size; what fits is kept. \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, int new_width, int new_height, std::size_t layer_count);
+
+    /// Another picture begins.
+    void forgetPaths() {
+        light_spent = {};
+        path_count = 0;
+    }
 
     static constexpr std::uint64_t kLayerOffset = 256;
     static constexpr std::uint64_t kLookOffset = kLayerOffset + 8 * sizeof(shader::GlyphLayerParams);

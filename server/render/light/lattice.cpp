@@ -179,11 +179,6 @@ void IlluminationLattice::request(const LatticeRun& run, const LatticePixels& pi
     list(run);
 }
 
-void IlluminationLattice::keepRequest() {
-    seconds_ = 0;
-    samples_ = 0;
-}
-
 void IlluminationLattice::clearCoverage(const LatticeRun& run) {
     const std::uint64_t bytes = std::uint64_t{pool_.slotsUsed()} * shader::TEXELS_PER_BRICK * 4;
     if (!coverage_ || coverage_.sizeBytes() < bytes) {

@@ -16,6 +16,7 @@
 #include "model/illumination.h"
 #include "render/light/lattice_light.h"
 #include "render/light/lattice_pool.h"
+#include "render/light/light_spent.h"
 #include "store/volume_dataset.h"
 
 namespace radiata::io {
@@ -31,6 +32,7 @@ struct LatticeRun {
     gpu::CommandRecorder& recorder;
     std::function<const gpu::ComputePipeline&(const std::string& shader, const std::vector<std::uint32_t>& constants)> pipeline;
     const std::atomic<bool>* cancel = nullptr;  ///< may be null
+    LightSpent* spent = nullptr;                ///< that paths are added to; may be null
 
     /// \throws Error(kCancelled)
     void checkCancelled() const;
@@ -96,8 +98,6 @@ public:
     /// Goes on with the stages of all requested texels until they are done or the time is up. \return whether all are done
     bool refine(const LatticeRun& run, std::optional<std::chrono::steady_clock::time_point> until);
     bool done() const { return active_.empty(); }
-    /// The latest request serves another picture as it is: info() counts paths anew.
-    void keepRequest();
     /// Whether the budget had no room for some texels of the latest request.
     bool beyondBudget() const { return left_out_ > 0; }
 
@@ -108,6 +108,7 @@ public:
     /// Whether the latest gather(), when it has run, found a texel lacking.
     bool lacking() const { return lacking_.as<std::uint32_t>()[0] != 0; }
 
+    /// Paths are those of the latest request, or of the whole lattice.
     model::IlluminationInfo info() const;
     const gpu::Buffer& params() const { return params_; }
     const LatticePool& pool() const { return pool_; }
@@ -128,6 +129,7 @@ private:
     void list(const LatticeRun& run);
     void clearCoverage(const LatticeRun& run);
     void freeWorking();
+    bool isExact(std::uint32_t state) const;
     bool isDone(std::uint32_t state) const;
     std::optional<std::uint64_t> rowOf(const glm::ivec3& texel) const;
     void keepBricksWhole(const LatticeRun& run);
@@ -173,7 +175,7 @@ private:
     static constexpr std::uint64_t kWholeMark = 1ULL << 63;
     /// How far lightAll() is: what is known of the texels of all bricks before next_brick.
     struct Whole {
-        std::uint64_t next_brick = 0, done = 0, samples = 0;
+        std::uint64_t next_brick = 0, done = 0, out_of_samples = 0, samples = 0;
         double seconds = 0;
         std::vector<std::uint64_t> errors;  ///< texels by the bits of their relative standard errors
     };

@@ -34,11 +34,13 @@ std::uint32_t texelSamples(std::uint32_t state) {
 
 float texelError(std::uint32_t state) { return glm::unpackHalf1x16(static_cast<std::uint16_t>(state & 0xffffU)); }
 
-bool IlluminationLattice::isDone(std::uint32_t state) const {
+bool IlluminationLattice::isExact(std::uint32_t state) const {
     if ((state & shader::TEXEL_EMPTY) != 0) return true;
-    const std::uint32_t samples = texelSamples(state);
-    return samples >= static_cast<std::uint32_t>(light_.samples_max) ||
-           (samples >= kLeastSamples && texelError(state) <= light_.relative_error);
+    return texelSamples(state) >= kLeastSamples && texelError(state) <= light_.relative_error;
+}
+
+bool IlluminationLattice::isDone(std::uint32_t state) const {
+    return isExact(state) || texelSamples(state) >= static_cast<std::uint32_t>(light_.samples_max);
 }
 
 /// One stage's paths for texels [begin, end) of active_, in bounded dispatches.
@@ -68,6 +70,7 @@ void IlluminationLattice::lightBatch(const LatticeRun& run, std::size_t begin, s
         run.recorder.submitAndWait();
         const double took_ms = std::chrono::duration<double, std::milli>(Clock::now() - before).count();
         seconds_ += took_ms / 1000;
+        if (run.spent != nullptr) run.spent->seconds += took_ms / 1000;
         // As if all texels had the paths of a full dispatch.
         const double full = took_ms * kPathsPerDispatch / (path_end - path);
         const double wished = count * kSubmissionMs / std::max(full, 1e-3);
@@ -77,7 +80,9 @@ void IlluminationLattice::lightBatch(const LatticeRun& run, std::size_t begin, s
     }
     for (std::uint32_t i = 0; i < count; ++i) {
         Texel& texel = requested_[active_[begin + i]];
-        samples_ += std::uint64_t{stage_paths_ - texel.paths} * kReplicates;
+        const std::uint64_t followed = std::uint64_t{stage_paths_ - texel.paths} * kReplicates;
+        samples_ += followed;
+        if (run.spent != nullptr) run.spent->samples += followed;
         texel.item.state = items[i].state;
         texel.paths = stage_paths_;
     }
@@ -144,6 +149,7 @@ model::IlluminationInfo IlluminationLattice::info() const {
     std::vector<float> errors;
     for (const Texel& texel : requested_) {
         info.texels_done += isDone(texel.item.state);
+        info.texels_out_of_samples += isDone(texel.item.state) && !isExact(texel.item.state);
         if (texelSamples(texel.item.state) > 0) errors.push_back(texelError(texel.item.state));
     }
     if (errors.empty()) return info;

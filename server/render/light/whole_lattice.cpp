@@ -62,6 +62,7 @@ void IlluminationLattice::requestAll(const LatticeRun& run) { requestBricks(run,
 
 void IlluminationLattice::noteWhole(std::uint32_t state) {
     whole_.done += isDone(state);
+    whole_.out_of_samples += isDone(state) && !isExact(state);
     if (texelSamples(state) == 0) return;
     whole_.errors.resize(65536);
     ++whole_.errors[state & 0xffffU];
@@ -87,10 +88,14 @@ bool IlluminationLattice::lightAll(const LatticeRun& run, std::optional<std::chr
 model::IlluminationInfo IlluminationLattice::wholeInfo(model::IlluminationInfo info) const {
     info.texels_needed = info.texels;
     info.texels_done = whole_.done;
+    info.texels_out_of_samples = whole_.out_of_samples;
     info.samples += whole_.samples;
     info.seconds += whole_.seconds;
     if (requestedWhole() && !whole()) {
-        for (const Texel& texel : requested_) info.texels_done += isDone(texel.item.state);
+        for (const Texel& texel : requested_) {
+            info.texels_done += isDone(texel.item.state);
+            info.texels_out_of_samples += isDone(texel.item.state) && !isExact(texel.item.state);
+        }
     }
     std::uint64_t known = 0, below = 0;
     for (std::size_t bits = 0; bits < whole_.errors.size(); ++bits) {

@@ -101,6 +101,25 @@ TEST(Annotator, LeavesOutWhatDoesNotFitOrOverlaps) {
     EXPECT_EQ(changed(tiny, 128).count, 0);
 }
 
+TEST(Annotator, BreaksAndMovesLinesOfABlockInSmallPictures) {
+    Annotator annotator;
+    const model::Mark letter = mark("S", 0.5F, 0, model::MarkAlign::kCenter, model::MarkAlign::kStart);
+    model::Mark subset = mark("subset of fibres in 1226 of 1321 pages: beyond the memory for fibres", 0, 0,
+                              model::MarkAlign::kStart, model::MarkAlign::kStart);
+    subset.line = 1;
+    for (const int width : {320, 160, 120}) {
+        Picture alone = flat(width, 240, 128), both = flat(width, 240, 128);
+        annotator.draw(alone, {&letter, 1});
+        const std::vector<model::Mark> marks = {letter, subset};
+        annotator.draw(both, marks);
+        const Changed first = changed(alone, 128), all = changed(both, 128);
+        EXPECT_GT(all.count, 10 * first.count) << width;
+        EXPECT_LT(all.left, 8);
+        EXPECT_GT(all.bottom, first.bottom + 8) << "below the letter";
+        EXPECT_LT(all.bottom, width < 200 ? 120 : 60);
+    }
+}
+
 TEST(Annotator, NamesAFontThatIsNotThere) {
     try {
         Annotator annotator("/no/such/font.ttf");
@@ -133,6 +152,11 @@ TEST(Annotator, LegendsStandInTheUpperRightAndHaveTheMapsColours) {
     const std::vector<model::ColourBar> many(9, bar);
     annotator.drawBars(picture, many);
     EXPECT_GE(changed(picture, 128).left, 320) << "what does not fit into the right half is left out";
+    const model::ColourBar long_name{ColourMap::kViridis, std::string(200, 'n'), "0", "1.5"};
+    Picture named = flat(640, 480, 128);
+    annotator.drawBars(named, {&long_name, 1});
+    EXPECT_GT(changed(named, 128).count, 1000) << "a long name is cut, and its legend stays";
+    EXPECT_GE(changed(named, 128).left, 315);
     Picture small = flat(159, 480, 128);
     annotator.drawBars(small, {&bar, 1});
     EXPECT_EQ(changed(small, 128).count, 0);

@@ -41,6 +41,20 @@ TEST_F(EnvironmentMapTest, ReadsPixelsFromTheTopLeft) {
     EXPECT_EQ(map.pixels[7], glm::vec3(1024)) << "far above 1";
 }
 
+TEST_F(EnvironmentMapTest, DividesByAllExposures) {
+    const std::string one("\x80\x40\x20\x81", 4), row = one + one;
+    const auto read = [&](const std::string& lines) {
+        return readBytes("#?RADIANCE\n" + lines + "FORMAT=32-bit_rle_rgbe\n\n-Y 1 +X 2\n" + row).pixels[1];
+    };
+    EXPECT_EQ(read(""), glm::vec3(1, 0.5F, 0.25F));
+    EXPECT_EQ(read("EXPOSURE=2\n"), glm::vec3(0.5F, 0.25F, 0.125F));
+    EXPECT_EQ(read("EXPOSURE= 4.0\r\nVIEW= -vtv\nEXPOSURE=+0.125\n"), glm::vec3(2, 1, 0.5F)) << "several multiply";
+    EXPECT_EQ(read("# EXPOSURE=2\n"), glm::vec3(1, 0.5F, 0.25F)) << "a comment";
+    for (const char* wrong : {"-1", "0", "nan", "inf", "bright", "", "1e40\nEXPOSURE=1e40"}) {
+        EXPECT_THROW(read("EXPOSURE=" + std::string(wrong) + "\n"), Error) << wrong;
+    }
+}
+
 TEST_F(EnvironmentMapTest, RefusesFilesThatLie) {
     const std::string pixel("\x80\x40\x20\x81", 4);
     EXPECT_THROW(readBytes("P6 4 2 255 " + std::string(24, 'x')), Error) << "another format";

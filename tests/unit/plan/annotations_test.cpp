@@ -56,6 +56,20 @@ TEST(Annotations, NameWhatIsLeftOutOfLayers) {
     EXPECT_EQ(at(marks, 0, 0, 4), "");
 }
 
+TEST(Annotations, NeverCallASubsetOfFibresConvergedWithoutThatWord) {
+    auto frame = request({0, 0, -100}, {0, 1, 0});
+    frame.scene.layers[0].content = model::TractogramLayer{};
+    SubsetFacts facts;
+    facts.left_out = {{.fiblet_pages = 1321, .fiblet_pages_left_out = 1226}};
+    auto marks = annotations(frame, model::FrameState::kConverged, 16, facts);
+    EXPECT_EQ(at(marks, 0, 0), "converged subset");
+    EXPECT_EQ(at(marks, 0, 0, 1), "subset of fibres in 1226 of 1321 pages: beyond the memory for fibres");
+    facts.left_out = {{.global_light = true}};
+    marks = annotations(frame, model::FrameState::kConverged, 16, facts);
+    EXPECT_EQ(at(marks, 0, 0), "converged");
+    EXPECT_EQ(at(marks, 0, 0, 1), "no global light: only opaque isosurfaces without a shading of their own take it");
+}
+
 TEST(Annotations, AxialFromAboveContradictsTheRadiologicalSetting) {
     auto frame = request({0, 0, 100}, {0, 1, 0});
     auto marks = annotations(frame, model::FrameState::kInteractive, 1, {});
@@ -110,6 +124,40 @@ TEST(Annotations, EveryColourMapHasItsLegend) {
     EXPECT_EQ(colourBars(frame), expected);
     frame.scene.annotations.hidden = true;
     EXPECT_THAT(colourBars(frame), IsEmpty());
+}
+
+TEST(Annotations, ColourMapsOfFibresAndSurfacesHaveLegends) {
+    model::FrameRequest frame = request({0, 0, -100}, {0, 1, 0});
+    const auto barsOf = [&](const model::FibreColour& colour) {
+        model::TractogramLayer tracts;
+        tracts.colour = colour;
+        frame.scene.layers[0].content = tracts;
+        return colourBars(frame);
+    };
+    using Mode = model::FibreColourMode;
+    const model::FibreColourRange range{10, 180.5F};
+    const auto named = [](const char* title) {
+        return std::vector<model::ColourBar>{{ColourMap::kInferno, title, "10", "180.5"}};
+    };
+    model::FibreColour colour{.mode = Mode::kLength, .map = ColourMap::kInferno, .range = range, .column = "", .region = ""};
+    EXPECT_EQ(barsOf(colour), named("length, mm"));
+    colour.mode = Mode::kDistance;
+    EXPECT_EQ(barsOf(colour), named("distance, mm"));
+    colour.column = "fa";
+    colour.mode = Mode::kColumn;
+    EXPECT_EQ(barsOf(colour), named("fa"));
+    colour.mode = Mode::kPointColumn;
+    EXPECT_EQ(barsOf(colour), named("fa"));
+    colour.component = 2;
+    EXPECT_EQ(barsOf(colour), named("fa:2"));
+    colour.mode = Mode::kGroup;
+    EXPECT_THAT(barsOf(colour), IsEmpty());
+    model::IsosurfaceLayer surface{.dataset_id = "t1", .isovalue = 50.0F};
+    frame.scene.layers[0].content = surface;
+    EXPECT_THAT(colourBars(frame), IsEmpty());
+    surface.colour_by = model::VolumeColour{"bold", ColourMap::kInferno, model::ColourRange{10, 180.5F}};
+    frame.scene.layers[0].content = surface;
+    EXPECT_EQ(colourBars(frame), named("bold"));
 }
 
 TEST(Annotations, HiddenLeavesAllOut) {
