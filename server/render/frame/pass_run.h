@@ -87,8 +87,8 @@ struct PassRun {
     /// \throws Error(kCancelled) if nobody wants the picture any more
     void checkCancelled() const;
 
-    /// Dispatches one workgroup per block of 8x8 pixels in bands of rows, each submitted and waited for; looks at `cancel`
-    /// before each. `push` ends with `std::uint32_t first_block_row`, which is set here.
+    /// Dispatches one workgroup per block of 8x8 pixels in bands of rows, each submitted and waited for, in the order that
+    /// shaders/common/invocation.glsl expects; looks at `cancel` before each. `push` ends with `std::uint32_t first_block_row`, which is set here.
     template <typename Push>
     void dispatchBands(const gpu::ComputePipeline& pipeline, const std::string& pass, Push push, BandSize& size) {
         const std::uint32_t blocks_x = static_cast<std::uint32_t>(target.width + 7) / 8;
@@ -97,7 +97,7 @@ struct PassRun {
             checkCancelled();
             const std::uint32_t rows = bandRows(size, blocks_y - row);
             push.first_block_row = row;
-            recorder.dispatch(pipeline, pass, blocks_x, rows, 1, push);
+            recorder.dispatch(pipeline, pass, rows, (blocks_x + 7) / 8, 8, push);
             submitBand(size, rows);
             row += rows;
         }
