@@ -77,15 +77,17 @@ void FibletDraw::drawWords() {
     own_.drawn = own_.counts().listed;
 }
 
-void FibletDraw::settle(const FibletRaster::Resolve& how, const FibletRaster::Resolve& again) {
+void FibletDraw::settle(FibletRaster::Resolve how) {
     std::uint32_t repaired = raster_.resolve(how);
+    // With the same shaders: whether anything is drawn once more depends on what ran in parallel.
+    how.counts = false;
     while (repaired > 0) {
         if (plan_.paged && run_.list.all_pages) {
             drawAllPages();
         } else {
             raster_.draw(true, 0, repaired);
         }
-        repaired = raster_.resolve(again);
+        repaired = raster_.resolve(how);
     }
 }
 

@@ -28,7 +28,7 @@ void FibletPeel::find(bool first) {
     drawing.begin(false);
     drawing.drawWords();
     use.counting = false;
-    drawing.settle({}, {});
+    drawing.settle({});
 }
 
 std::uint64_t FibletPeel::address() const { return layer_->layer.own.layerAddress(); }
