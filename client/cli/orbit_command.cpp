@@ -1,6 +1,8 @@
 // radiata orbit: numbered pictures of a turn about the scene, or along the cameras of a file.
 #include <filesystem>
+#include <iostream>
 #include <memory>
+#include <set>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -77,15 +79,21 @@ void orbit(const ConnectionOptions& connection_options, const Options& options) 
     completeRequest(request, connection, options.request.plane);
     if (cameras.empty()) cameras = turn(options, request.camera());
     if (!options.write_path.empty()) writeFile(options.write_path, cameraPathToJson(cameras).dump(1) + "\n");
-    Progress progress(static_cast<int>(cameras.size()), options.quiet);
-    const v1::ImageFormat format = options.format == "jpeg" ? v1::IMAGE_FORMAT_JPEG : v1::IMAGE_FORMAT_PNG;
-    for (std::size_t i = 0; i < cameras.size(); ++i) {
-        *request.mutable_camera() = cameras[i];
-        const v1::Frame frame = renderPicture(connection, request, format, {});
-        const std::string file = fileName(options, i);
-        writeFile(file, frame.image());
-        progress.step(static_cast<int>(i + 1), file + " " + formatNumber(frame.timing().render_ms(), 1) + " ms");
+    std::set<std::string> left_out;
+    {
+        Progress progress(static_cast<int>(cameras.size()), options.quiet);
+        const v1::ImageFormat format = options.format == "jpeg" ? v1::IMAGE_FORMAT_JPEG : v1::IMAGE_FORMAT_PNG;
+        for (std::size_t i = 0; i < cameras.size(); ++i) {
+            *request.mutable_camera() = cameras[i];
+            const v1::Frame frame = renderPicture(connection, request, format, {});
+            const std::string file = fileName(options, i);
+            writeFile(file, frame.image());
+            for (const v1::LeftOut& layer : frame.left_out()) left_out.insert(layer.texts().begin(), layer.texts().end());
+            progress.step(static_cast<int>(i + 1), file + " " + formatNumber(frame.timing().render_ms(), 1) + " ms");
+        }
     }
+    // What any of the pictures leaves out, each once and behind the progress.
+    for (const std::string& text : left_out) std::cerr << text << "\n";
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ VolumeHit marchVolume(VolumeParams volume, GridRay ray, float isovalue, float t_
                 const int index = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
                 if (sideOfRange(RangeOfValues(volume.bricks).at[index], isovalue) != kSideUnknown) {
                     int axis;
-                    const float leave = leaveCells(ray, inverse, (brick << int(BRICK_SHIFT)) - ray.base, 1 << int(BRICK_SHIFT), axis);
+                    const float leave = leaveCells(ray, gridSlopes(volume, ray), (brick << int(BRICK_SHIFT)) - ray.base, 1 << int(BRICK_SHIFT), axis);
                     t = max(t, min(leave, end)) + 1e-3 * length_mm;
                     value = marchValue(volume, ray, isovalue, min(t, end), cell, at);
                     continue;

@@ -6,6 +6,7 @@
 #ifndef RADIATA_ISOSURFACE_TRACE_VOLUME
 #define RADIATA_ISOSURFACE_TRACE_VOLUME
 #include "shaders/common/volume.glsl"
+#include "shaders/common/whole_number.glsl"
 
 // The point at parameter t is base + origin + t * direction, in grid coordinates. Precision is that of origin + t * direction, so
 // base is best near to where the hits are expected; 0 will do for a ray that begins on a grid point's cell.
@@ -38,17 +39,38 @@ struct GridWalk {
     ivec3 cell;       // grid coordinates less the ray's base
     int axis;         // of the face by which the cell was entered; -1: the ray begins here
     int side;
+    int turns;        // that are left
     ivec3 brick;      // the latest one that has the isovalue, or none
     ivec3 block;
 };
 
+// What of a ray stays the same from cell to cell.
+struct GridSlopes {
+    vec3 inverse;   // of the direction; 0 along axes that the ray does not move on
+    vec3 never;     // VOLUME_MISS there, else 0
+    bvec3 up;
+    ivec3 low_cell, high_cell;  // of the volume, less the ray's base
+};
+
+GridSlopes gridSlopes(VolumeParams volume, GridRay ray) {
+    const bvec3 parallel = equal(ray.direction, vec3(0.0));
+    return GridSlopes(mix(1.0 / mix(ray.direction, vec3(1.0), parallel), vec3(0.0), parallel), mix(vec3(0.0), vec3(VOLUME_MISS), parallel),
+                      greaterThan(ray.direction, vec3(0.0)), -ray.base, volume.size - 2 - ray.base);
+}
+
 // Parameter where the ray leaves a box of cells [low, low + extent), and by which axis.
-float leaveCells(GridRay ray, vec3 inverse, ivec3 low, int extent, out int axis) {
-    const vec3 plane = vec3(low) + mix(vec3(0.0), vec3(float(extent)), greaterThan(ray.direction, vec3(0.0)));
-    vec3 leave = (plane - ray.origin) * inverse;
-    leave = mix(leave, vec3(VOLUME_MISS), equal(ray.direction, vec3(0.0)));
+float leaveCells(GridRay ray, GridSlopes slopes, ivec3 low, int extent, out int axis) {
+    const vec3 plane = vec3(low + mix(ivec3(0), ivec3(extent), slopes.up));
+    const vec3 leave = (plane - ray.origin) * slopes.inverse + slopes.never;
     axis = leave.x <= leave.y && leave.x <= leave.z ? 0 : leave.y <= leave.z ? 1 : 2;
     return min(leave.x, min(leave.y, leave.z));
+}
+
+// Cell of the box [low, high] in which the ray is at parameter t, but for rounding. CPU drivers turn floats into integers lane by lane,
+// hence wholeNumber.
+ivec3 cellAt(GridRay ray, float t, ivec3 low, ivec3 high) {
+    const vec3 cell = clamp(floor(ray.origin + t * ray.direction), vec3(low), vec3(high));
+    return ivec3(wholeNumber(cell.x), wholeNumber(cell.y), wholeNumber(cell.z));
 }
 
 // Place in the cell at parameter t; exact on the face by which the ray came or goes (\param axis, or -1).
@@ -58,27 +80,25 @@ vec3 placeInCell(GridRay ray, ivec3 cell, float t, int axis, bool entered) {
     return at;
 }
 
-// Moves on to the cell behind a box of cells that the ray leaves at t by axis.
-void enterNext(GridRay ray, inout GridWalk walk, ivec3 low, int extent, ivec3 high_cell, float t, int axis) {
+// Moves on to the cell behind a box of cells that the ray leaves at t by axis. \return whether the ray goes on there
+bool enterNext(GridRay ray, GridSlopes slopes, inout GridWalk walk, ivec3 low, int extent, float t, int axis) {
     walk.t = max(walk.t, t);
-    if (extent > 1) {
-        const ivec3 cell = ivec3(floor(ray.origin + walk.t * ray.direction));
-        walk.cell = clamp(cell, low, min(low + extent - 1, high_cell));
-    }
-    walk.cell[axis] = ray.direction[axis] > 0.0 ? low[axis] + extent : low[axis] - 1;
+    const ivec3 cell = extent > 1 ? cellAt(ray, walk.t, low, min(low + extent - 1, slopes.high_cell)) : low;
+    walk.cell = mix(cell, low + mix(ivec3(-1), ivec3(extent), slopes.up), equal(ivec3(axis), ivec3(0, 1, 2)));
     walk.axis = axis;
+    const uvec3 cells = uvec3(slopes.high_cell - slopes.low_cell);
+    return walk.t < walk.t_end && --walk.turns > 0 && all(lessThanEqual(uvec3(walk.cell - slopes.low_cell), cells));
 }
 
 // \param bricks  whether to leave out bricks and blocks; only measurements say no
 // A ray that begins on the surface may find it again at once: let it begin a little off.
 VolumeHit traceVolume(VolumeParams volume, GridRay ray, float isovalue, float t_min, float t_max, bool bricks) {
     VolumeHit hit = VolumeHit(VOLUME_MISS, ivec3(0), vec3(0.0), false, 0u);
-    const ivec3 low_cell = -ray.base, high_cell = volume.size - 2 - ray.base;
-    const vec3 low = vec3(low_cell), high = vec3(high_cell + 1);
-    const bvec3 parallel = equal(ray.direction, vec3(0.0));
-    const vec3 inverse = 1.0 / mix(ray.direction, vec3(1.0), parallel);
-    const vec3 a = (low - ray.origin) * inverse, b = (high - ray.origin) * inverse;
-    const vec3 first = mix(min(a, b), vec3(-VOLUME_MISS), parallel), last = mix(max(a, b), vec3(VOLUME_MISS), parallel);
+    const GridSlopes slopes = gridSlopes(volume, ray);
+    const vec3 low = vec3(slopes.low_cell), high = vec3(slopes.high_cell + 1);
+    const bvec3 parallel = greaterThan(slopes.never, vec3(0.0));
+    const vec3 a = (low - ray.origin) * slopes.inverse, b = (high - ray.origin) * slopes.inverse;
+    const vec3 first = min(a, b) - slopes.never, last = max(a, b) + slopes.never;
     if (any(bvec3(parallel.x && !(ray.origin.x >= low.x && ray.origin.x <= high.x),
                   parallel.y && !(ray.origin.y >= low.y && ray.origin.y <= high.y),
                   parallel.z && !(ray.origin.z >= low.z && ray.origin.z <= high.z)))) {
@@ -88,56 +108,54 @@ VolumeHit traceVolume(VolumeParams volume, GridRay ray, float isovalue, float t_
     walk.t = max(t_min, max(first.x, max(first.y, first.z)));
     walk.t_end = min(t_max, min(last.x, min(last.y, last.z)));
     if (!(walk.t <= walk.t_end)) return hit;
-    walk.cell = clamp(ivec3(floor(ray.origin + walk.t * ray.direction)), low_cell, high_cell);
+    walk.cell = cellAt(ray, walk.t, slopes.low_cell, slopes.high_cell);
     walk.axis = -1;
     walk.side = kSideUnknown;
     walk.brick = ivec3(-1);
     walk.block = ivec3(-1);
-    bool more = true;
     // Every turn moves on by a cell at least, but for the rounding of where a brick is left: twice as many will do for any ray.
-    int turns = 2 * (volume.size.x + volume.size.y + volume.size.z);
+    walk.turns = 2 * (volume.size.x + volume.size.y + volume.size.z);
+    bool more = true;
     while (more) {
         bool found = false;
         float c[8];
         float leave = 0.0;
         int leave_axis = 0;
-        while (more && !found) {
+        // Boxes are left out until every lane of a subgroup is in a brick with the isovalue, or done; only then are cells looked at.
+        while (bricks && more && (walk.cell + ray.base) >> int(BRICK_SHIFT) != walk.brick) {
             ++hit.steps;
-            const ivec3 cell = walk.cell + ray.base;
-            int extent = 1;
+            const ivec3 cell = walk.cell + ray.base, block = cell >> int(BLOCK_SHIFT), brick = cell >> int(BRICK_SHIFT);
+            int shift = int(BLOCK_SHIFT);
             int known = kSideUnknown;
-            if (bricks) {
-                const ivec3 block = cell >> int(BLOCK_SHIFT), brick = cell >> int(BRICK_SHIFT);
-                if (block != walk.block) {
-                    const int at = block.x + volume.block_size.x * (block.y + volume.block_size.y * block.z);
-                    known = sideOfRange(RangeOfValues(volume.blocks).at[at], isovalue);
-                    if (known != kSideUnknown) extent = 1 << int(BLOCK_SHIFT);
-                    else walk.block = block;
-                }
-                if (extent == 1 && brick != walk.brick) {
-                    const int at = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
-                    known = sideOfRange(RangeOfValues(volume.bricks).at[at], isovalue);
-                    if (known != kSideUnknown) extent = 1 << int(BRICK_SHIFT);
-                    else walk.brick = brick;
-                }
+            if (block != walk.block) {
+                const int at = block.x + volume.block_size.x * (block.y + volume.block_size.y * block.z);
+                known = sideOfRange(RangeOfValues(volume.blocks).at[at], isovalue);
+                if (known == kSideUnknown) walk.block = block;
             }
-            const ivec3 box = ((cell >> findLSB(extent)) << findLSB(extent)) - ray.base;
-            leave = leaveCells(ray, inverse, box, extent, leave_axis);
-            if (extent == 1) {
-                const bool numbers = cellCorners(volume, cell, isovalue, c);
-                const vec2 range = cornerRange(c);
-                known = range.x >= 0.0 ? kSideIn : range.y < 0.0 ? kSideOut : kSideUnknown;
-                if (!numbers) walk.side = kSideUnknown;
-                found = numbers && (known == kSideUnknown || (walk.side != kSideUnknown && walk.side != known));
-                if (numbers && !found) walk.side = known;
+            if (known == kSideUnknown) {
+                const int at = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
+                known = sideOfRange(RangeOfValues(volume.bricks).at[at], isovalue);
+                shift = int(BRICK_SHIFT);
+            }
+            if (known == kSideUnknown) {
+                walk.brick = brick;
             } else {
                 walk.side = known;
+                const ivec3 box = ((cell >> shift) << shift) - ray.base;
+                leave = leaveCells(ray, slopes, box, 1 << shift, leave_axis);
+                more = enterNext(ray, slopes, walk, box, 1 << shift, leave, leave_axis);
             }
-            if (!found) {
-                enterNext(ray, walk, box, extent, high_cell, leave, leave_axis);
-                more = walk.t < walk.t_end && --turns > 0 && all(greaterThanEqual(walk.cell, low_cell)) &&
-                       all(lessThanEqual(walk.cell, high_cell));
-            }
+        }
+        while (more && !found && (!bricks || (walk.cell + ray.base) >> int(BRICK_SHIFT) == walk.brick)) {
+            ++hit.steps;
+            leave = leaveCells(ray, slopes, walk.cell, 1, leave_axis);
+            const bool numbers = cellCorners(volume, walk.cell + ray.base, isovalue, c);
+            const vec2 range = cornerRange(c);
+            const int known = range.x >= 0.0 ? kSideIn : range.y < 0.0 ? kSideOut : kSideUnknown;
+            if (!numbers) walk.side = kSideUnknown;
+            found = numbers && (known == kSideUnknown || (walk.side != kSideUnknown && walk.side != known));
+            if (numbers && !found) walk.side = known;
+            if (!found) more = enterNext(ray, slopes, walk, walk.cell, 1, leave, leave_axis);
         }
         if (found) {
             const float end = min(max(leave, walk.t), walk.t_end);
@@ -154,9 +172,7 @@ VolumeHit traceVolume(VolumeParams volume, GridRay ray, float isovalue, float t_
                 return hit;
             }
             walk.side = sideOf(value_to);
-            enterNext(ray, walk, walk.cell, 1, high_cell, leave, leave_axis);
-            more = walk.t < walk.t_end && --turns > 0 && all(greaterThanEqual(walk.cell, low_cell)) &&
-                   all(lessThanEqual(walk.cell, high_cell));
+            more = enterNext(ray, slopes, walk, walk.cell, 1, leave, leave_axis);
         }
     }
     return hit;

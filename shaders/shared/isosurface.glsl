@@ -8,12 +8,12 @@ SHADER_NAMESPACE_BEGIN
 // Bricks are cubes of cells with the range of all samples that their cells touch; blocks are the coarser level.
 #ifdef __cplusplus
 constexpr float VOLUME_NO_VALUE = 3.0e38F;
-constexpr uint BRICK_SHIFT = 3;
-constexpr uint BLOCK_SHIFT = 6;
+constexpr uint BRICK_SHIFT = 2;
+constexpr uint BLOCK_SHIFT = 4;
 #else
 #define VOLUME_NO_VALUE 3.0e38
-#define BRICK_SHIFT 3
-#define BLOCK_SHIFT 6
+#define BRICK_SHIFT 2
+#define BLOCK_SHIFT 4
 #endif
 
 // Grid coordinates: sample (i, j, k) lies at (i, j, k), so cells are unit cubes and the volume is [0, size - 1]^3.

@@ -41,6 +41,10 @@ class OrbitTest(ClientTest):
         self.orbit("-o", self.folder, "--frames", "1", "--format", "jpeg")
         self.assertEqual((self.folder / "frame-0001.jpg").read_bytes()[:3], b"\xff\xd8\xff")
 
+    def test_what_is_left_out_is_told_once(self):
+        done = self.orbit("-o", self.folder, "--frames", "3", "--lmax", "4", "--quiet")
+        self.assertEqual(done.stderr, "bands to 4 of 8 drawn\n")
+
     def test_a_path_excludes_the_options_of_a_turn(self):
         done = self.orbit("-o", self.folder, "--path", "x.json", "--frames", "3", check=False)
         self.assert_fails(done, 2, "--path")

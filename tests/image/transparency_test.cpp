@@ -262,6 +262,31 @@ TEST_F(Transparency, OfGlyphsShowsWhatIsBehind) {
     EXPECT_EQ(picked, 5);
 }
 
+/// Picks go through half-opaque surfaces to what lies behind; where nothing does, the nearest of them is picked.
+TEST_F(Transparency, OfSurfacesIsPickedWhereNothingLiesBehind) {
+    const std::vector<model::Layer> layers{surface(kIso, {0, 1, 0}, 0.3F), fibres("some", {1, 0, 0}, 1)};
+    const std::vector<model::Layer> opaque{surface(kIso, {0, 1, 0}, 1)};
+    const model::Frame whole = draw(sceneOf(layers)), shell = draw(sceneOf(opaque));
+    int through = 0, met = 0, nothing = 0;
+    for (std::size_t at = 0; at < static_cast<std::size_t>(kWidth * kHeight); at += 13) {
+        const auto found = renderer.pick(sceneOf(layers), static_cast<int>(at % kWidth), static_cast<int>(at / kWidth));
+        const bool fibre = whole.pixels.id[4 * at] >= 0, hull = shell.pixels.id[4 * at] >= 0;
+        ASSERT_EQ(found.has_value(), fibre || hull);
+        if (!found) {
+            ++nothing;
+        } else if (fibre) {
+            ASSERT_TRUE(std::holds_alternative<model::PickedFibre>(*found));
+            ++through;
+        } else {
+            const auto& picked = std::get<model::PickedSurface>(*found);
+            EXPECT_EQ(picked.layer, 0);
+            EXPECT_NEAR(picked.normal.x, shell.pixels.normal[3 * at], 1e-4);
+            ++met;
+        }
+    }
+    EXPECT_GT(std::min({through, met, nothing}), 5);
+}
+
 /// White sheets over black: while the picture moves, what shines through is right, to 0.01 in nine of ten pixels, though not
 /// who is seen; at rest it is the same however its samples were split. What is opaque has none of the passes.
 TEST_F(Transparency, ComesToRest) {

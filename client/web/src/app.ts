@@ -23,6 +23,8 @@ import { Connection, type ConnectionState } from "./view/connection";
 import { sentence } from "./view/failures";
 
 const kCallTimeoutMs = 10_000;
+/** Fibres are thin: the nearest within so many pixels of a click is meant. */
+const kPickRadiusPx = 3;
 /** A large image may take its time to be read. */
 const kReadTimeoutMs = 120_000;
 
@@ -160,10 +162,10 @@ export class App {
     const mine = ++this.picking;
     try {
       const answer = await this.services.pick.pick(
-        { frame: { case: "view", value: { viewId, sequence: BigInt(frame.sequence) } }, x, y },
+        { frame: { case: "view", value: { viewId, sequence: BigInt(frame.sequence) } }, x, y, radiusPx: kPickRadiusPx },
         { timeoutMs: kCallTimeoutMs },
       );
-      if (mine === this.picking) this.picked.show(answer.glyph ?? answer.surface ?? null);
+      if (mine === this.picking) this.picked.show(answer.glyph ?? answer.fibre ?? answer.surface ?? null);
     } catch (error) {
       if (mine === this.picking) this.status.message(sentence(error));
     }

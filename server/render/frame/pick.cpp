@@ -131,6 +131,16 @@ model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y
     return pixel;
 }
 
+bool makeSurfacesOpaque(model::FrameRequest& request) {
+    bool changed = false;
+    for (model::Layer& layer : request.scene.layers) {
+        if (!layer.ifSurface() || layer.opacity >= 1) continue;
+        layer.opacity = 1;
+        changed = true;
+    }
+    return changed;
+}
+
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,
                                        int radius_px, const FoundGlyph& found_glyph) {
     const model::FrameRequest& picture = list.plan->resolved;

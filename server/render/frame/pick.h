@@ -17,6 +17,9 @@ namespace radiata::render {
 model::FrameRequest pickRequest(const model::FrameRequest& request, int x, int y, int radius_px,
                                 const plan::Abilities& abilities);
 
+/// Makes transparent isosurfaces of a request opaque. \return whether there were any
+bool makeSurfacesOpaque(model::FrameRequest& request);
+
 /// Draws pixel (x, y) of the list's picture and says what its ray hits. \param list  of the whole picture, changed for the
 /// pixel \param found_glyph  may be empty
 std::optional<model::Picked> pickPixel(gpu::Device& device, Drawer& drawer, Target::Impl& target, DrawList& list, int x, int y,

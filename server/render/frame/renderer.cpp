@@ -317,12 +317,17 @@ std::optional<model::Picked> Renderer::pick(const model::FrameRequest& request, 
     model::validate(request, impl_->limits);
     if (all_hits) model::checkAllHits(request);
     model::FrameRequest pixel = pickRequest(request, x, y, radius_px, impl_->abilities);
-    model::FrameInfo info;
-    plan::FramePlan plan;
-    DrawList list = impl_->prepare(pixel, plan, info);
-    FoundGlyph found_glyph;
-    if (all_hits) found_glyph = allHitsFinder(impl_->device, impl_->drawer, list, request.quality, impl_->abilities);
-    return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px, found_glyph);
+    const auto pickIn = [&] {
+        model::FrameInfo info;
+        plan::FramePlan plan;
+        DrawList list = impl_->prepare(pixel, plan, info);
+        FoundGlyph found_glyph;
+        if (all_hits) found_glyph = allHitsFinder(impl_->device, impl_->drawer, list, request.quality, impl_->abilities);
+        return pickPixel(impl_->device, impl_->drawer, *impl_->pick_target.impl_, list, x, y, radius_px, found_glyph);
+    };
+    std::optional<model::Picked> picked = pickIn();
+    if (!picked && makeSurfacesOpaque(pixel)) picked = pickIn();
+    return picked;
 }
 
 std::vector<model::PickedFibres> Renderer::pickFibres(const model::FrameRequest& request, std::span<const glm::dvec2> outline,

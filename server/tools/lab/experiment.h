@@ -11,9 +11,10 @@
 namespace radiata::lab {
 
 struct Options {
-    int size = 0;       ///< picture height, pixels, or what the experiment says; 0: its own
-    std::string image;  ///< SH image file; empty: a phantom
-    int repeats = 0;    ///< 0: nine, or as few as seven where an experiment is long
+    int size = 0;        ///< picture height, pixels, or what the experiment says; 0: its own
+    std::string image;   ///< SH image file; empty: a phantom
+    std::string tracts;  ///< tractogram file that the codec's experiments take too; empty: none
+    int repeats = 0;     ///< 0: nine, or as few as seven where an experiment is long
     /// Rounds to run. \param usual  of this experiment
     int rounds(int usual = 9) const { return repeats > 0 ? repeats : usual; }
 };

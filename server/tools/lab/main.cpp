@@ -73,6 +73,9 @@ int main(int argc, char** argv) {
     run_command->add_option("name", name, "Experiment")->required();
     run_command->add_option("--size", options.size, "Height of the picture in pixels")->check(CLI::Range(16, 4096));
     run_command->add_option("--image", options.image, "SH image to measure on; a phantom if absent")->check(CLI::ExistingFile);
+    run_command
+        ->add_option("--tracts", options.tracts, "Streamlines that fiblet-codec and schertzer-table1 encode and check too")
+        ->check(CLI::ExistingFile);
     run_command->add_option("--repeats", options.repeats, "Rounds after warm-up")->check(CLI::Range(1, 1000));
     run_command->add_option("--json", output.json_file, "Writes all values to this file");
     run_command->add_option("--svg", output.svg_file, "Draws the plots into this file");

@@ -86,8 +86,12 @@ void addPaper(const model::Tractogram& t, const FibletMeasures& measures, double
     }
 }
 
-/// The same 76 bytes with the first 12 spent on a finer point, a finer direction and a cap.
-void add76(const model::Tractogram& t, const model::FibletSet& like, double points, bool judged, Table& table, Report& report) {
+/// The same 76 bytes with the first 12 spent on a finer point, a finer direction and a cap: of five caps the one with the least
+/// mean error, if one holds the largest.
+void add76(const model::Tractogram& t, const model::FibletSet& like, double points, const TractScene& scene, Table& table,
+           Report& report) {
+    constexpr std::uint32_t kBeam = 64;
+    constexpr float kLargestMm = 0.006F;
     const CodeTables tables(like.codec, 1e3F);
     Sum sum;
     overPieces(
@@ -106,18 +110,22 @@ void add76(const model::Tractogram& t, const model::FibletSet& like, double poin
                         least, glm::dot(glm::normalize(piece[i] - piece[i - 1]), glm::normalize(piece[i - 1] - piece[i - 2])));
             }
             const std::uint32_t cap = tables.bestCap(std::acos(std::max(least, -1.0F)), 2, true);
-            FibletPiece best = encodeBeam(targets, 2, cap, tables, 8);
-            for (std::uint32_t other = cap > 2 ? cap - 2 : 0; other < cap; ++other) {
-                const FibletPiece again = encodeBeam(targets, 2, other, tables, 8);
-                if (again.max_error_mm < best.max_error_mm) best = again;
+            FibletPiece best = encodeBeam(targets, 2, cap, tables, kBeam);
+            for (std::uint32_t other = cap > 4 ? cap - 4 : 0; other < cap; ++other) {
+                const FibletPiece again = encodeBeam(targets, 2, other, tables, kBeam);
+                const bool held = again.max_error_mm <= kLargestMm;
+                if (held == (best.max_error_mm <= kLargestMm)
+                        ? (held ? again.sum_error_mm < best.sum_error_mm : again.max_error_mm < best.max_error_mm)
+                        : held)
+                    best = again;
             }
             to.add(kPaperBytes, best.sum_error_mm, double(best.max_error_mm), piece.size());
         },
         sum);
-    table.rows.push_back(sum.row("76 bytes, 20-bit places, caps, beam 8", points));
-    if (!judged) return;
-    report.checks.push_back({"76 bytes per 60 points, mean um", sum.mean(), "<=", 1});
-    report.checks.push_back({"76 bytes per 60 points, largest um", sum.largest(), "<=", 6});
+    table.rows.push_back(sum.row("76 bytes, 20-bit places, caps, beam 64", points));
+    if (!scene.checked) return;
+    report.checks.push_back({scene.name + ": 76 bytes per 60 points, mean um", sum.mean(), "<=", 1});
+    report.checks.push_back({scene.name + ": 76 bytes per 60 points, largest um", sum.largest(), "<=", 6});
 }
 
 void addQfib(const model::Tractogram& t, const FibletMeasures& measures, double points, Table& table) {
@@ -151,7 +159,7 @@ Report schertzerTable1(gpu::Device&, const Options& options) {
     Report report;
     report.experiment = "schertzer-table1";
     report.device = std::to_string(std::thread::hardware_concurrency()) + " processors";
-    const auto scenes = tractScenes(options.size > 0 ? std::size_t(options.size) : 1000);
+    const auto scenes = tractScenes(options.size > 0 ? std::size_t(options.size) : 1000, options.tracts);
     for (const TractScene& scene : scenes) {
         const model::Tractogram& t = scene.tractogram;
         const FibletMeasures measures = measureTractogram(*model::sourceOf(t), 1 << 20, {});
@@ -163,7 +171,7 @@ Report schertzerTable1(gpu::Device&, const Options& options) {
                     {}};
         table.rows.push_back({"float32 points (.tck)", "12", "0", "0"});
         addPaper(t, measures, double(compact.codec.step_mm), points, table);
-        add76(t, compact, points, &scene == &scenes.front(), table, report);
+        add76(t, compact, points, scene, table, report);
         addQfib(t, measures, points, table);
         FibletOptions fast;
         fast.beam = 0;

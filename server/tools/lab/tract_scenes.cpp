@@ -88,6 +88,15 @@ private:
     model::TractogramHeader header_;
 };
 
+model::Tractogram firstFibres(const std::filesystem::path& path, std::size_t fibres) {
+    model::Tractogram all = model::readAll(*io::openTractogram(path));
+    if (all.fibreCount() > fibres) {
+        all.fibres.offsets.resize(fibres + 1);
+        all.fibres.points.resize(all.fibres.offsets.back());
+    }
+    return all;
+}
+
 }  // namespace
 
 model::FibletSet ballOfFibres(std::size_t fibres) {
@@ -106,21 +115,20 @@ model::FrameRequest fibreFrame(int height, const std::string& dataset) {
     return request;
 }
 
-std::vector<TractScene> tractScenes(std::size_t fibres) {
+std::vector<TractScene> tractScenes(std::size_t fibres, const std::string& own_file) {
     std::vector<TractScene> scenes;
-    scenes.push_back({"generated, 7.2 degrees", generated(fibres, 930, 0.1, 7.2 * 3.14159265358979 / 180)});
+    scenes.push_back({"generated, 7.2 degrees", generated(fibres, 930, 0.1, 7.2 * 3.14159265358979 / 180), true});
+    if (!own_file.empty()) {
+        const std::filesystem::path path = own_file;
+        scenes.push_back({path.filename().string(), firstFibres(path, fibres), true});
+    }
     const char* folder = std::getenv("RADIATA_DATA");
     if (!folder) return scenes;
     for (const auto& [name, file] :
          {std::pair{"iFOD1, 15 degrees", "sag_ifod1_1000.tck"}, std::pair{"SD_STREAM, 60 degrees", "sag_sd_stream_500.tck"}}) {
         const std::filesystem::path path = std::filesystem::path(folder) / "tracts" / file;
         if (!std::filesystem::exists(path)) continue;
-        model::Tractogram all = model::readAll(*io::openTractogram(path));
-        if (all.fibreCount() > fibres) {
-            all.fibres.offsets.resize(fibres + 1);
-            all.fibres.points.resize(all.fibres.offsets.back());
-        }
-        scenes.push_back({name, std::move(all)});
+        scenes.push_back({name, firstFibres(path, fibres)});
     }
     return scenes;
 }

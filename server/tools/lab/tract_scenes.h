@@ -14,12 +14,13 @@ namespace radiata::lab {
 struct TractScene {
     std::string name;
     model::Tractogram tractogram;
+    bool checked = false;  ///< the codec's figures are asked of it
 };
 
 /// Generated streamlines of 0.1 mm steps with turns of up to 7.2 degrees, as iFOD1 makes them at the paper's voxel size and
 /// step; and, if RADIATA_DATA names the folder of real data, its iFOD1 (up to 15 degrees) and SD_STREAM streamlines. \param
-/// fibres  at most so many of each
-std::vector<TractScene> tractScenes(std::size_t fibres);
+/// fibres  at most so many of each \param own_file  comes second, unless empty; it and the generated ones are checked
+std::vector<TractScene> tractScenes(std::size_t fibres, const std::string& own_file = {});
 
 /// Fibres of 800 points, 0.1 mm apart, in a ball of brain size (140 mm), that turn a little at each step and are turned back at
 /// the surface: dense outside and inside. Made while they are encoded, so that only fiblets take memory.

@@ -46,10 +46,10 @@ TEST(VolumeBricks, RangesAreThoseOfTheCellsCorners) {
     for (const glm::ivec3& size : {glm::ivec3(2, 2, 2), glm::ivec3(9, 10, 65), glm::ivec3(70, 17, 8), glm::ivec3(66, 2, 130)}) {
         const model::ScalarImage image = noise(size);
         const VolumeBricks bricks = buildVolumeBricks(image);
-        EXPECT_EQ(bricks.bricks.size, (size + 6) / 8);
-        EXPECT_EQ(bricks.blocks.size, (size + 62) / 64);
-        expectTight(image, bricks.bricks, 8);
-        expectTight(image, bricks.blocks, 64);
+        EXPECT_EQ(bricks.bricks.size, (size + 2) / 4);
+        EXPECT_EQ(bricks.blocks.size, (size + 14) / 16);
+        expectTight(image, bricks.bricks, 4);
+        expectTight(image, bricks.blocks, 16);
         EXPECT_EQ(bricks.value_min, *std::ranges::min_element(image.values));
         EXPECT_EQ(bricks.value_max, *std::ranges::max_element(image.values));
         EXPECT_EQ(bricks.no_value, 0U);

@@ -1,6 +1,6 @@
 // The panel that says what lies under the pixel that was clicked.
 import { type Vec3 } from "../generated/radiata/v1/geometry_pb";
-import { type PickedGlyph, type PickedSurface } from "../generated/radiata/v1/pick_pb";
+import { type PickedFibre, type PickedGlyph, type PickedSurface } from "../generated/radiata/v1/pick_pb";
 
 const vector = (v: Vec3 | undefined, digits: number): string =>
   v ? [v.x, v.y, v.z].map((value) => value.toFixed(digits)).join(", ") : "–";
@@ -32,8 +32,34 @@ export function surfaceRows(surface: PickedSurface): [label: string, text: strin
   ];
 }
 
-const rowsOf = (what: PickedGlyph | PickedSurface): [label: string, text: string][] =>
-  what.$typeName === "radiata.v1.PickedGlyph" ? rows(what) : surfaceRows(what);
+/** The same of a fibre, with its groups and columns. */
+export function fibreRows(fibre: PickedFibre): [label: string, text: string][] {
+  return [
+    ["fibre", String(fibre.fibre)],
+    ["point", String(fibre.point)],
+    ["place, mm", vector(fibre.positionMm, 2)],
+    ["tangent", vector(fibre.tangent, 3)],
+    ["length, mm", fibre.lengthMm.toFixed(1)],
+    ...(fibre.groups.length > 0 ? [["groups", fibre.groups.join(", ")] satisfies [string, string]] : []),
+    ...fibre.values.map(({ column, numbers }): [string, string] => [
+      column,
+      numbers.map((number) => (Number.isNaN(number) ? "no value" : number.toPrecision(4))).join(", "),
+    ]),
+  ];
+}
+
+type Picked = PickedGlyph | PickedFibre | PickedSurface;
+
+function rowsOf(what: Picked): [label: string, text: string][] {
+  switch (what.$typeName) {
+    case "radiata.v1.PickedGlyph":
+      return rows(what);
+    case "radiata.v1.PickedFibre":
+      return fibreRows(what);
+    case "radiata.v1.PickedSurface":
+      return surfaceRows(what);
+  }
+}
 
 export class PickPanel {
   constructor(private readonly element: HTMLElement) {
@@ -41,7 +67,7 @@ export class PickPanel {
   }
 
   /** \param what  null: nothing lies there */
-  show(what: PickedGlyph | PickedSurface | null): void {
+  show(what: Picked | null): void {
     const list = this.element.querySelector("dl");
     const title = this.element.querySelector("h2");
     if (!list || !title) return;
