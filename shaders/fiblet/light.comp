@@ -13,8 +13,7 @@
 #include "shaders/common/light_visibility.glsl"
 
 layout(constant_id = 1) const bool kMarks = false;
-layout(constant_id = 3) const bool kCounts = true;  // false: pixels are lit once more
-layout(constant_id = 4) const bool kTubes = false;
+layout(constant_id = 3) const bool kTubes = false;
 
 layout(buffer_reference, scalar) readonly buffer FrameBuffer { FrameParams frame; };
 layout(buffer_reference, scalar) readonly buffer LookBuffer { LayerLook at[]; };
@@ -27,7 +26,7 @@ layout(push_constant, scalar) uniform Push {
     FrameBuffer frame;
     LookBuffer looks;
     PictureBuffer picture;
-    FrameCountersBuffer counters;
+    FrameCountersBuffer counters;  // null: pixels are lit once more
 } push;
 
 // Radiance towards the viewer. \param at  the pixel \param depth  of its ray \param direction  as raster.comp packs it
@@ -54,7 +53,7 @@ void main() {
     vec3 radiance = frame.background;
     const uint who = uint(word);
     if (who != FIBLET_NOBODY) {
-        const uint hits = subgroupBallotBitCount(subgroupBallot(kCounts));
+        const uint hits = subgroupBallotBitCount(subgroupBallot(uint64_t(push.counters) != 0ul));
         if (subgroupElect() && hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
         if (kMarks) markSeen(layer, who);
         if (uint(tangent) == who) {

@@ -6,7 +6,6 @@
 // Source of the key: Schuetz et al. 2021 (compute rasterisation of points); of lines: DDA with the centre rule of Bresenham.
 #version 460
 #extension GL_GOOGLE_include_directive : require
-#extension GL_KHR_shader_subgroup_ballot : require
 #include "shaders/common/invocation.glsl"
 #include "shaders/common/whole_number.glsl"
 #include "shaders/fiblet/layer.glsl"
@@ -16,7 +15,7 @@
 #include "shaders/common/fiblet_detail.glsl"
 #include "shaders/common/fiblet_places.glsl"
 
-layout(constant_id = 1) const bool kListed = false;  // fiblets of the list; else all in their order
+layout(constant_id = 1) const bool kParallel = false;  // rays are: nearness is 1 everywhere
 layout(constant_id = 2) const uint kCuts = 0u;
 layout(constant_id = 3) const bool kTubes = false;   // selected fibres as capsules
 layout(constant_id = 4) const bool kLines = true;    // the others as lines
@@ -37,23 +36,37 @@ layout(constant_id = 17) const uint kChain = 0u;     // slots of each pixel of a
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
-    uint first;  // of the list, or of all fiblets
+    UintBuffer list;  // fiblets to draw; null: all in their order
+    uint first;       // of the list, or of all fiblets
     uint count;
 } push;
 
 FibletView view;
 WordBuffer words, tangents, peeled;
 ChainBuffer chain;
-uint pixels;  // of the picture
+uint chains;  // pixels of the picture
 UintBuffer fragments, inside, found, cut_front, cut_back;
 uint fibre;
 uint64_t shown = 0ul;  // bit i: segment i is
 
-uint64_t lastKept(uint pixel) { return chain.at[(kChain - 1u) * pixels + pixel].word; }
+// What lies behind it costs one read.
+uint64_t lastWord(uint pixel) { return kChain != 0u ? chain.at[(kChain - 1u) * chains + pixel].word : words.at[pixel]; }
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
-void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal) {
+// \param word  order of the depth above who is seen \param direction  as packLine() or packTube() has it
+void keep(uint pixel, uint64_t word, uint direction) {
+    const uint64_t named = uint64_t(direction) << 32 | uint(word);
+    if (kChain != 0u) {
+        keepInChain(chain, chains, pixel, word, named);
+        return;
+    }
+    if (atomicMin(words.at[pixel], word) < word) return;
+    tangents.at[pixel] = named;
+}
+
+// \param looked  nothing nearer was there a moment ago
+void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal, bool looked) {
     if (kMeshCut) {
         const uint order = orderOfDepth(depth), front = cut_front.at[pixel];
         // From inside of the mesh no front face is seen.
@@ -68,17 +81,8 @@ void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal) {
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
     if (kPeel && word <= peeled.at[pixel]) return;
     if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
-    if (kChain != 0u) {
-        // What lies behind all that is kept costs one read.
-        if (lastKept(pixel) < word) return;
-    } else {
-        if (words.at[pixel] < word) return;
-        if (atomicMin(words.at[pixel], word) < word) return;
-    }
-    const uint direction = kTubes && dot(normal, normal) > 0.0 ? packTube(along, normal) : packLine(along);
-    const uint64_t named = uint64_t(direction) << 32 | who;
-    if (kChain != 0u) keepInChain(chain, pixels, pixel, word, named);
-    else tangents.at[pixel] = named;
+    if (!looked && lastWord(pixel) < word) return;
+    keep(pixel, word, kTubes && dot(normal, normal) > 0.0 ? packTube(along, normal) : packLine(along));
 }
 
 void noteError(FibletLayerParams layer, float error) {
@@ -123,7 +127,7 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, vec3 way) {
         if (depth <= view.far_depth && abs(across) < 1e6 && first < past) {
             do {
                 const ivec2 at = columns ? ivec2(i - origin.x, first) : ivec2(first, i - origin.x);
-                mark(uint(at.y * view.width + at.x), depth, here, way, vec3(0.0));
+                mark(uint(at.y * view.width + at.x), depth, here, way, vec3(0.0), false);
             } while (++first < past);
         }
     } while (++i < end);
@@ -155,7 +159,7 @@ void drawTube(vec3 p, vec3 along, uint who, Joints joints) {
     for (int y = footprint.pixels.y; y <= footprint.pixels.w; ++y) {
         for (int x = footprint.pixels.x; x <= footprint.pixels.z; ++x) {
             const uint pixel = uint(y * view.width + x);
-            if (kChain != 0u && !kCounting && uint(lastKept(pixel) >> 32) < nearest) continue;
+            if (kChain != 0u && !kCounting && uint(lastWord(pixel) >> 32) < nearest) continue;
             const vec2 place = vec2(float(x + view.window_x) + 0.5 - view.centre.x, view.centre.y - float(y + view.window_y) - 0.5);
             const vec3 origin = place.x * right + place.y * up;
             const vec3 direction = origin * view.inverse_distance + view.forward;  // its parameter is the depth
@@ -164,7 +168,7 @@ void drawTube(vec3 p, vec3 along, uint who, Joints joints) {
             if (depth > view.far_depth) continue;
             // Opaque, it is hidden.
             if (kChain != 0u && isInside(from, along, joints, origin + depth * direction, normal)) continue;
-            mark(pixel, depth, who, along, normal);
+            mark(pixel, depth, who, along, normal, false);
         }
     }
 }
@@ -230,58 +234,7 @@ void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_
     if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, way);
 }
 
-// Whether a line from a to b can have a pixel. \param a, b  places in the picture of points that are not before the near plane
-bool mayHavePixel(vec2 a, vec2 b) {
-    const vec2 along = abs(b - a);
-    const vec2 ends = along.x >= along.y ? vec2(a.x, b.x) : vec2(a.y, b.y);
-    // What drawLine() finds may be off by rounding.
-    return ceil(min(ends.x, ends.y) - 0.501) < ceil(max(ends.x, ends.y) - 0.499);
-}
-
-bool someInvocation(bool one) { return any(notEqual(subgroupBallot(one), uvec4(0u))); }
-
-// Segment by segment, those that are shown. Most are shorter than a pixel and have none, so those that have are held until an
-// invocation of the subgroup has found another, and then drawn together.
-void drawWalk(FibletLayerParams layer, inout FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
-    const bool all = kTubes || kCuts != 0u;
-    // What a mesh cuts out of a neighbour does not hide.
-    const bool joins = kChain != 0u && kTubes && !kMeshCut;
-    vec3 here = walk.pen.point, held_from, held_to, held_before = vec3(0.0), way_here = vec3(0.0);
-    vec4 eye = fibletEyePoint(view, here);
-    vec2 pixel_here = fibletPixel(view, eye);
-    float depth_here = eye.z;
-    uint held = FIBLET_NOBODY;
-    for (uint segment = first; segment < end; ++segment) {
-        stepWalk(layer, walk, segment);
-        eye = fibletEyePoint(view, walk.pen.point);
-        const vec2 pixel = fibletPixel(view, eye);
-        bool draws = all || min(depth_here, eye.z) < view.near_depth || mayHavePixel(pixel_here, pixel);
-        if (kSegments) draws = draws && (shown >> segment & 1ul) != 0ul;
-        if (someInvocation(draws && held != FIBLET_NOBODY)) {
-            if (held != FIBLET_NOBODY) {
-                Joints joints = kNoJoints;
-                if (joins) joints = Joints(held_before, draws && segment == held + 1u ? walk.pen.point - here : vec3(0.0));
-                drawSegments(layer, held_from, held_to, fibletEyePoint(view, held_from), fibletEyePoint(view, held_to),
-                             fiblet << FIBLET_SEGMENT_BITS | held, 1u, tube, line, joints);
-            }
-            held = FIBLET_NOBODY;
-        }
-        if (draws) {
-            held = segment;
-            held_from = here;
-            held_to = walk.pen.point;
-            if (joins) held_before = way_here;
-        }
-        if (joins) way_here = draws ? here - walk.pen.point : vec3(0.0);
-        here = walk.pen.point;
-        pixel_here = pixel;
-        depth_here = eye.z;
-    }
-    if (held != FIBLET_NOBODY) {
-        drawSegments(layer, held_from, held_to, fibletEyePoint(view, held_from), fibletEyePoint(view, held_to),
-                     fiblet << FIBLET_SEGMENT_BITS | held, 1u, tube, line, Joints(held_before, vec3(0.0)));
-    }
-}
+#include "shaders/fiblet/draw_walk.glsl"
 
 // Groups of segments as one line each where that is within the bound.
 void drawDetail(FibletLayerParams layer, inout FibletWalk walk, uint fiblet) {
@@ -297,8 +250,7 @@ void drawDetail(FibletLayerParams layer, inout FibletWalk walk, uint fiblet) {
             worst = max(worst, error);
             drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS | first, end - first, false, true, kNoJoints);
         } else {
-            walk = before;
-            drawWalk(layer, walk, first, end, fiblet, false, true);
+            drawWalk(layer, before, first, end, fiblet, false, true);
         }
     }
     noteError(layer, worst);
@@ -327,13 +279,14 @@ void main() {
     const FibletLayerParams layer = push.layer.layer;
     if (globalInvocation() >= push.count) return;
     const uint at = push.first + globalInvocation();
-    const uint fiblet = kListed ? UintBuffer(layer.list).at[at] : at;
+    // Not a variant of the shader: what is drawn once more is listed, in few pictures.
+    const uint fiblet = uint64_t(push.list) != 0ul ? push.list.at[at] : at;
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
     if (kChain != 0u) {
         chain = ChainBuffer(layer.chain);
-        pixels = uint(view.width * view.height);
+        chains = uint(view.width * view.height);
     }
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
     if (kCounting) fragments = UintBuffer(layer.fragments);

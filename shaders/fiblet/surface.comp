@@ -13,11 +13,10 @@
 
 layout(constant_id = 1) const bool kFirstLayer = true;
 layout(constant_id = 2) const bool kMarks = false;
-layout(constant_id = 3) const bool kCounts = true;  // false: pixels are resolved once more
-layout(constant_id = 4) const bool kTubes = false;
-layout(constant_id = 5) const bool kSelectedOnly = false;  // of the tubes
-layout(constant_id = 6) const bool kMarksOnly = false;     // the surface buffer is left alone
-layout(constant_id = 7) const bool kPaged = false;         // some of the fiblets are on the device
+layout(constant_id = 3) const bool kTubes = false;
+layout(constant_id = 4) const bool kSelectedOnly = false;  // of the tubes
+layout(constant_id = 5) const bool kMarksOnly = false;     // the surface buffer is left alone
+layout(constant_id = 6) const bool kPaged = false;         // some of the fiblets are on the device
 #include "shaders/fiblet/shown.glsl"
 
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
@@ -25,7 +24,7 @@ layout(buffer_reference, scalar) buffer FrameCountersBuffer { uint hit_pixels; }
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
     SurfaceBuffer surface;
-    FrameCountersBuffer counters;
+    FrameCountersBuffer counters;  // null: pixels are resolved once more
 } push;
 
 // \return  whether the pixel showed nothing before and now shows this layer
@@ -58,6 +57,6 @@ void main() {
     // Before all branches, where a CPU driver reads for a fraction of the time.
     const uint64_t word = WordBuffer(layer.words).at[at], tangent = WordBuffer(layer.tangents).at[at];
     const bool hit = globalInvocation() < pixels && resolve(layer, at, word, tangent);
-    const uint hits = subgroupBallotBitCount(subgroupBallot(hit && kCounts));
+    const uint hits = subgroupBallotBitCount(subgroupBallot(hit && uint64_t(push.counters) != 0ul));
     if (subgroupElect() && hits > 0u) atomicAdd(push.counters.hit_pixels, hits);
 }

@@ -81,11 +81,13 @@ void FibletDraw::drawWords() {
     own_.drawn = own_.counts().listed;
 }
 
-void FibletDraw::settle(const FibletRaster::Resolve& how, const FibletRaster::Resolve& again) {
+void FibletDraw::settle(FibletRaster::Resolve how) {
     std::uint32_t repaired = raster_.resolve(how);
+    // With the same shaders: whether anything is drawn once more depends on what ran in parallel.
+    how.counts = false;
     while (repaired > 0) {
         repair(repaired);
-        repaired = raster_.resolve(again);
+        repaired = raster_.resolve(how);
     }
 }
 

@@ -25,8 +25,8 @@ public:
     void drawCulled();
     /// Segments in the frustum, into the words as they are, with nothing known of a latest picture.
     void drawWords();
-    /// Resolves, and draws once more as long as tangents are missing. \param again  how it is resolved then
-    void settle(const FibletRaster::Resolve& how, const FibletRaster::Resolve& again);
+    /// Resolves, and draws and resolves once more as long as tangents are missing; what it counts it counts once.
+    void settle(FibletRaster::Resolve how);
     /// The same of chains. \param slot  as in FibletRaster::resolveSheet()
     void settleSheet(std::uint32_t slot);
 

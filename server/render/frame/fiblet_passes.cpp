@@ -43,7 +43,7 @@ void runFiblets(PassRun& run, const plan::PassPlan& pass, FibletPace& pace) {
     drawing.draw();
     const bool marks = layer.inTwoPhases() && !run.list.frozen && !layer.plan.paged;
     if (marks) forgetVisible(layer);
-    drawing.settle({.marks = marks, .counts = true}, {});
+    drawing.settle({.marks = marks, .counts = true});
     layer.own.knows_visible = marks;
     remember(layer, drawing);
 }

@@ -15,7 +15,7 @@ struct BeginPush {
     std::uint64_t layer, surface, veil;
 };
 struct RasterPush {
-    std::uint64_t layer;
+    std::uint64_t layer, list;
     std::uint32_t first, count;
 };
 struct SurfacePush {
@@ -41,8 +41,9 @@ void FibletRaster::begin(bool empty) {
 
 void FibletRaster::draw(bool listed, std::uint32_t first, std::uint32_t end) {
     const bool nearest = use.chain == 0 && !use.finding;
+    const bool parallel = own_.layer().view.inverse_distance == 0;
     std::vector<std::uint32_t> constants = layer_.withPaged(
-        {PassRun::kGroup, listed ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines && drawsLines() ? 1U : 0U,
+        {PassRun::kGroup, parallel ? 1U : 0U, plan_.cuts, plan_.tubes ? 1U : 0U, plan_.lines && drawsLines() ? 1U : 0U,
          plan_.states ? 1U : 0U, plan_.selected_only ? 1U : 0U, plan_.segments ? 1U : 0U, plan_.exact_width ? 1U : 0U,
          use.peeling ? 1U : 0U, use.counting ? 1U : 0U, use.finding ? 1U : 0U, nearest ? own_.layer().detail_segments : 0U,
          nearest && layer_.byCoverage() ? 1U : 0U, plan_.mesh_cut ? 1U : 0U, plan_.mesh_outside ? 1U : 0U});
@@ -56,7 +57,7 @@ void FibletRaster::draw(bool listed, std::uint32_t first, std::uint32_t end) {
         const auto wanted = static_cast<std::uint32_t>(std::min(layer_.pace.fiblets, 4e6));
         const std::uint32_t count = std::min(end - first, wanted / PassRun::kGroup * PassRun::kGroup);
         run_.recorder.dispatch(pipeline, "fiblet raster" + layer_.suffix, PassRun::groups(count), 1, 1,
-                               RasterPush{own_.layerAddress(), first, count});
+                               RasterPush{own_.layerAddress(), listed ? own_.list.address() : 0, first, count});
         layer_.submit(count);
         first += count;
     }
@@ -89,10 +90,10 @@ std::uint32_t FibletRaster::takeRepaired() {
 void FibletRaster::toSurface(const Resolve& how) {
     run_.recorder.dispatch(
         run_.pipelines.get("fiblet_surface",
-                           layer_.withPaged({PassRun::kGroup, layer_.first ? 1U : 0U, how.marks ? 1U : 0U, how.counts ? 1U : 0U,
+                           layer_.withPaged({PassRun::kGroup, layer_.first ? 1U : 0U, how.marks ? 1U : 0U,
                                              plan_.tubes ? 1U : 0U, plan_.selected_only ? 1U : 0U, how.marks_only ? 1U : 0U})),
         "fiblet surface" + layer_.suffix, PassRun::groups(run_.pixels()), 1, 1,
-        SurfacePush{own_.layerAddress(), run_.target.surface.address(), run_.counterAddress()});
+        SurfacePush{own_.layerAddress(), run_.target.surface.address(), how.counts ? run_.counterAddress() : 0});
 }
 
 }  // namespace radiata::render

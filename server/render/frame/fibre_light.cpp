@@ -30,16 +30,17 @@ void lightFibres(FibletRun& layer, bool marks, bool counts) {
     std::vector<std::uint32_t> constants{PassRun::kGroup,
                                          marks ? 1U : 0U,
                                          run.list.plan->colour_modes,
-                                         counts ? 1U : 0U,
                                          layer.plan.tubes ? 1U : 0U,
+                                         0U,  // no constant
                                          run.list.plan->fibre_colours};
     if (run.list.plan->paged_layers != 0) {
         constants.resize(kPagedConstant, 0U);
         constants.push_back(run.list.plan->paged_layers);
     }
-    run.recorder.dispatch(run.pipelines.get("fiblet_light", constants), "fiblet light", PassRun::groups(run.pixels()), 1, 1,
-                          LightPush{layer.own.layerAddress(), run.frameAddress(),
-                                    run.frameAddress() + Target::Impl::kLookOffset, pictureAddress(run), run.counterAddress()});
+    run.recorder.dispatch(
+        run.pipelines.get("fiblet_light", constants), "fiblet light", PassRun::groups(run.pixels()), 1, 1,
+        LightPush{layer.own.layerAddress(), run.frameAddress(), run.frameAddress() + Target::Impl::kLookOffset,
+                  pictureAddress(run), counts ? run.counterAddress() : 0});
 }
 
 }  // namespace radiata::render
