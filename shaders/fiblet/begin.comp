@@ -48,6 +48,7 @@ void main() {
     WordBuffer(layer.words).at[at] = word;
     if (kChain == 0u) return;
     for (uint i = at; i < kChain * pixels; i += pixels) ChainBuffer(layer.chain).at[i] = ChainSlot(word, kUnnamed);
+    LimitBuffer(layer.limits).at[at] = uint(word >> 32);
     if (kCounting) {
         WordBuffer(layer.peeled).at[at] = word;
         UintBuffer(layer.fragments).at[at] = 0u;

@@ -54,8 +54,8 @@ ShortLine shortLine(vec4 a, vec4 b, vec2 pixel_a, vec2 pixel_b) {
     return line;
 }
 
-// In a buffer of halves of words: the order of the depth behind which nothing has an effect.
-uint nearestAt(uint pixel) { return kChain != 0u ? 4u * ((kChain - 1u) * chains + pixel) + 1u : 2u * pixel + 1u; }
+// Where the order of the depth is behind which nothing has an effect: a limit, or the upper half of a word.
+uint nearestAt(uint pixel) { return kChain != 0u ? pixel : 2u * pixel + 1u; }
 
 bool isShown(FibletWalk walk, uint i) {
     return i < walk.segments && (!kSegments || (shown >> i & 1ul) != 0ul);
@@ -63,7 +63,7 @@ bool isShown(FibletWalk walk, uint i) {
 
 // \param first  of the segments, a multiple of kBatch; `walk` has come so far
 void drawWalk(FibletLayerParams layer, FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
-    UintBuffer nearest = UintBuffer(kChain != 0u ? layer.chain : layer.words);
+    UintBuffer nearest = UintBuffer(kChain != 0u ? layer.limits : layer.words);
     vec3 points[kBatch + 1u], ways[kBatch];
     vec4 eyes[kBatch + 1u], turns[kBatch];
     vec2 pixels[kBatch + 1u];

@@ -44,13 +44,11 @@ layout(push_constant, scalar) uniform Push {
 FibletView view;
 WordBuffer words, tangents, peeled;
 ChainBuffer chain;
+LimitBuffer limits;
 uint chains;  // pixels of the picture
 UintBuffer fragments, inside, found, cut_front, cut_back;
 uint fibre;
 uint64_t shown = 0ul;  // bit i: segment i is
-
-// What lies behind it costs one read.
-uint64_t lastWord(uint pixel) { return kChain != 0u ? chain.at[(kChain - 1u) * chains + pixel].word : words.at[pixel]; }
 
 // Tangents are not part of the minimum: who writes last may have lost. They name who wrote them, and surface.comp has those drawn
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
@@ -58,7 +56,7 @@ uint64_t lastWord(uint pixel) { return kChain != 0u ? chain.at[(kChain - 1u) * c
 void keep(uint pixel, uint64_t word, uint direction) {
     const uint64_t named = uint64_t(direction) << 32 | uint(word);
     if (kChain != 0u) {
-        keepInChain(chain, chains, pixel, word, named);
+        keepInChain(chain, limits, chains, pixel, word, named);
         return;
     }
     if (atomicMin(words.at[pixel], word) < word) return;
@@ -81,7 +79,8 @@ void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal, bool looke
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
     if (kPeel && word <= peeled.at[pixel]) return;
     if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
-    if (!looked && lastWord(pixel) < word) return;
+    // What lies behind all that is kept costs one read.
+    if (!looked && (kChain != 0u ? limits.at[pixel] < uint(word >> 32) : words.at[pixel] < word)) return;
     keep(pixel, word, kTubes && dot(normal, normal) > 0.0 ? packTube(along, normal) : packLine(along));
 }
 
@@ -159,7 +158,7 @@ void drawTube(vec3 p, vec3 along, uint who, Joints joints) {
     for (int y = footprint.pixels.y; y <= footprint.pixels.w; ++y) {
         for (int x = footprint.pixels.x; x <= footprint.pixels.z; ++x) {
             const uint pixel = uint(y * view.width + x);
-            if (kChain != 0u && !kCounting && uint(lastWord(pixel) >> 32) < nearest) continue;
+            if (kChain != 0u && !kCounting && limits.at[pixel] < nearest) continue;
             const vec2 place = vec2(float(x + view.window_x) + 0.5 - view.centre.x, view.centre.y - float(y + view.window_y) - 0.5);
             const vec3 origin = place.x * right + place.y * up;
             const vec3 direction = origin * view.inverse_distance + view.forward;  // its parameter is the depth
@@ -286,6 +285,7 @@ void main() {
     tangents = WordBuffer(layer.tangents);
     if (kChain != 0u) {
         chain = ChainBuffer(layer.chain);
+        limits = LimitBuffer(layer.limits);
         chains = uint(view.width * view.height);
     }
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);

@@ -26,19 +26,29 @@ layout(push_constant, scalar) uniform Push {
     uint slot;  // with kAlone, as many segments of the chain are composed
 } push;
 
-// Who has a direction that is another's is drawn again; nobody has that of nobody.
-void checkDirections(FibletLayerParams layer, uint at, uint pixels) {
-    for (uint i = at; i < kChain * pixels; i += pixels) {
-        const ChainSlot one = ChainBuffer(layer.chain).at[i];
-        if (uint(one.word) != uint(one.named)) drawAgain(layer, uint(one.word));
+// The least of words first. Who has a direction that is another's is drawn again; nobody has that of nobody.
+void sortChain(FibletLayerParams layer, uint at, uint pixels) {
+    ChainSlot kept[kChain];
+    for (uint i = 0u; i < kChain; ++i) {
+        kept[i] = ChainBuffer(layer.chain).at[at + i * pixels];
+        if (uint(kept[i].word) != uint(kept[i].named)) drawAgain(layer, uint(kept[i].word));
     }
+    for (uint sorted = 1u; sorted < kChain; ++sorted) {
+        for (uint i = 0u; i < kChain - sorted; ++i) {
+            const ChainSlot a = kept[i], b = kept[i + 1u];
+            const bool swaps = b.word < a.word;
+            kept[i] = ChainSlot(swaps ? b.word : a.word, swaps ? b.named : a.named);
+            kept[i + 1u] = ChainSlot(swaps ? a.word : b.word, swaps ? a.named : b.named);
+        }
+    }
+    for (uint i = 0u; i < kChain; ++i) ChainBuffer(layer.chain).at[at + i * pixels] = kept[i];
 }
 
 void main() {
     const FibletLayerParams layer = push.layer.layer;
     // Before all branches, where a CPU driver reads for a fraction of the time.
     const uint pixels = uint(layer.view.width * layer.view.height), at = min(globalInvocation(), pixels - 1u);
-    if (kNew) checkDirections(layer, at, pixels);
+    if (kNew && globalInvocation() < pixels) sortChain(layer, at, pixels);
     uint slot = at + push.slot * pixels;
     if (!kAlone && !kNew) {
         const uint64_t composed = WordBuffer(layer.peeled).at[at];

@@ -87,9 +87,10 @@ struct FibletLayerParams {
     uint64_t places;  // FibletPlaces of a tractogram beyond the memory budget; 0: all of it lies in its own order
     uint64_t cut_front;  // uint[pixels]: order of depths of the cutting mesh's nearest front face; FIBLET_NOBODY: none
     uint64_t cut_back;   // uint[pixels]: of its farthest back face; 0: none
-    uint64_t chain;      // ChainSlot[slots][pixels]: of transparent layers, the nearest that are not composed, in order
+    uint64_t chain;      // ChainSlot[slots][pixels]: of transparent layers, the nearest that are not composed
+    uint64_t limits;     // uint[pixels]: order of depths behind which chains keep nothing
 };
-STATIC_SIZE(FibletLayerParams, 488);
+STATIC_SIZE(FibletLayerParams, 496);
 
 // A segment that a pixel of a transparent layer keeps.
 struct ChainSlot {

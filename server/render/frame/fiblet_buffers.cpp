@@ -78,8 +78,10 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
 void FibletBuffers::preparePeels(gpu::Device& device, std::uint64_t pixels, std::uint32_t slots, bool counted) {
     ensureBytes(device, peeled, 8 * pixels, gpu::Memory::kDevice, "peeled words");
     ensureBytes(device, chain, sizeof(shader::ChainSlot) * pixels * slots, gpu::Memory::kDevice, "chains of fibres");
+    ensureBytes(device, limits, 4 * pixels, gpu::Memory::kDevice, "limits of chains");
     layer().peeled = peeled.address();
     layer().chain = chain.address();
+    layer().limits = limits.address();
     if (!counted) return;
     ensureBytes(device, fragments, 4 * pixels, gpu::Memory::kDevice, "fragments");
     layer().fragments = fragments.address();

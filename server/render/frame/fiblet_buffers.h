@@ -27,7 +27,7 @@ struct FibletBuffers {
     gpu::Buffer found_page_numbers;            ///< the same, read back, for a scene that is not all on the device
     gpu::Buffer shown_pages;                   ///< uint[pages]: what is drawn of them
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
-    gpu::Buffer chain;                         ///< of one: shader::ChainSlot[slots][pixels]
+    gpu::Buffer chain, limits;                 ///< of one: shader::ChainSlot[slots][pixels]; uint[pixels]
     gpu::Buffer cut_front, cut_back;           ///< uint[pixels]; only where a mesh cuts by its depths
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
