@@ -92,4 +92,12 @@ void readOutputs(gpu::Device& device, Drawer& drawer, Target::Impl& target, cons
     });
 }
 
+void copyPicture(const Target::Impl& target, model::FramePixels& pixels) {
+    pixels.width = target.width;
+    pixels.height = target.height;
+    const std::size_t bytes = static_cast<std::size_t>(target.width) * static_cast<std::size_t>(target.height) * 4;
+    const auto picture = target.picture.as<std::uint8_t>().first(bytes);
+    pixels.rgba.assign(picture.begin(), picture.end());
+}
+
 }  // namespace radiata::render
