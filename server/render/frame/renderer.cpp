@@ -387,16 +387,14 @@ model::Camera Renderer::fitCamera(const std::string& dataset_id, const model::Vo
     if (!(aspect >= 0.05 && aspect <= 20)) {
         throw Error(Code::kInvalidArgument, "aspect is " + std::to_string(aspect) + "; it must be 0.05 to 20");
     }
-    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kTractogram) {
-        const model::DatasetInfo info = impl_->store.info(dataset_id);
+    const model::DatasetInfo info = impl_->store.info(dataset_id);
+    if (info.kind == model::DatasetKind::kTractogram) {
         return plan::fitCamera({info.bounds_min, info.bounds_max}, selection, convention, aspect);
     }
-    if (impl_->store.info(dataset_id).kind == model::DatasetKind::kScalarVolume) {
+    if (info.kind == model::DatasetKind::kScalarVolume) {
         return plan::fitCamera(volumeBounds(*impl_->store.volume(dataset_id)), selection, convention, aspect);
     }
-    const auto dataset = impl_->store.glyphs(dataset_id);
-    const plan::SceneBounds bounds = selectionBounds(*dataset, selection);
-    return plan::fitCamera(bounds, selection, convention, aspect);
+    return plan::fitCamera(selectionBounds(*impl_->store.glyphs(dataset_id), selection), selection, convention, aspect);
 }
 
 }  // namespace radiata::render
