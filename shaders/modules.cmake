@@ -112,7 +112,7 @@ radiata_shader(glyph_trace_ellipsoid glyph/trace.comp LAYOUT even2 DEFINE METHOD
 radiata_shader(glyph_query_ellipsoid glyph/trace.comp LAYOUT even2 DEFINE METHOD_ELLIPSOID TRAVERSE_RAY_QUERY)
 radiata_shader(test_fibre test/fibre.comp)
 radiata_shader(fxaa frame/fxaa.comp)
-foreach(pass begin raster pyramid cull cull_pages surface light cut_depths coverage_cull coverage_dilate coverage_move)
+foreach(pass begin raster pyramid cull cull_pages surface sheet light cut_depths coverage_cull coverage_dilate coverage_move)
     radiata_shader(fiblet_${pass} fiblet/${pass}.comp)
 endforeach()
 # Fibres drawn by the device's own rasteriser, and as points.

@@ -1,10 +1,12 @@
 #include "plan/plan_peels.h"
 
 #include <algorithm>
+#include <bit>
 #include <string>
 
 #include "base/error.h"
 #include "plan/plan_isosurface.h"
+#include "shaders/shared/fiblet_draw.glsl"
 
 namespace radiata::plan {
 
@@ -39,6 +41,12 @@ void planPeels(FramePlan& plan) {
     } else if (std::ranges::any_of(plan.resolved.scene.layers, isVeil)) {
         plan.passes.push_back({PassKind::kIsosurfaceVeil, "isosurface veil", "isosurface_veil", -1});
     }
+}
+
+std::uint32_t peelSlots(std::uint64_t pixels, std::uint64_t layers, std::uint32_t wanted) {
+    constexpr std::uint64_t kChainBytes = std::uint64_t{256} << 20U;
+    const std::uint64_t fit = kChainBytes / sizeof(shader::ChainSlot) / std::max<std::uint64_t>(pixels * layers, 1);
+    return static_cast<std::uint32_t>(std::bit_floor(std::clamp<std::uint64_t>(fit, 1, wanted)));
 }
 
 }  // namespace radiata::plan

@@ -15,4 +15,8 @@ void findPeeled(FramePlan& plan);
 /// Adds the pass of all transparent layers, after all that write the surface buffer; isosurfaces alone have one of their own.
 void planPeels(FramePlan& plan);
 
+/// Segments that each pixel keeps of a layer of transparent fibres, so that they need not be drawn for each that is composed:
+/// a power of two up to `wanted`, as many as fit 256 MiB for all such layers. \param layers  of transparent fibres
+std::uint32_t peelSlots(std::uint64_t pixels, std::uint64_t layers, std::uint32_t wanted);
+
 }  // namespace radiata::plan

@@ -17,8 +17,9 @@
 namespace radiata::session {
 
 /// Adds samples [first_sample, first_sample + count) to the picture of a view and returns it; the contract of
-/// render::Renderer::render, with one target per view id. Ids are never used twice.
-/// \throws Error(kCancelled) at most 50 ms after `cancel` was raised
+/// render::Renderer::render, with one target per view id. Ids are never used twice. No samples of a picture of one: works for a
+/// slice of time at its light and answers with info.samples 0 until that is done, then 1. \throws Error(kCancelled) at most 50
+/// ms after `cancel` was raised
 using RenderFunction = std::function<model::Frame(std::uint64_t view, const model::FrameRequest& request, int first_sample,
                                                   int count, const model::Outputs& outputs, const std::atomic<bool>* cancel)>;
 

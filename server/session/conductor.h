@@ -1,5 +1,6 @@
 // Decides what is rendered next and for whom. One thread renders; views take turns, and work that answers a moving camera
-// goes before work that refines a resting one. Datasets are read by other threads, so that a large one holds up nobody but
+// goes before work that refines a resting one. Pictures that somebody asked for alone take turns, too, so that a short one
+// waits for a step of a long one, not for its end. Datasets are read by other threads, so that a large one holds up nobody but
 // those who asked for it. Nothing waits without an end: windows, queues and steps are bounded.
 #pragma once
 
@@ -99,6 +100,7 @@ private:
     void work();
     bool housekeep(Lock& lock);
     std::optional<Choice> choose(Clock::time_point now);
+    std::optional<std::uint64_t> chooseJob() const;
     std::optional<Choice> chooseView(Clock::time_point now, bool interactive);
     void waitForWork(Lock& lock);
     void runView(Lock& lock, Choice choice);
@@ -116,8 +118,9 @@ private:
     std::uint64_t last_id_ = 0;
     std::uint64_t served_interactive_ = 0;
     std::uint64_t served_refinement_ = 0;
+    bool oldest_job_ = false;  ///< whether the next job is the oldest one, whatever it has taken
     std::map<std::uint64_t, std::shared_ptr<Entry>> views_;
-    std::map<std::uint64_t, std::shared_ptr<JobProgress>> jobs_;  ///< the first one that is not loading is being drawn
+    std::map<std::uint64_t, std::shared_ptr<JobProgress>> jobs_;
     std::deque<std::function<void()>> tasks_;
     std::deque<std::uint64_t> released_;
     std::shared_ptr<Running> running_;

@@ -1,6 +1,7 @@
 // The render thread: choose a step, draw it without the lock, hand the picture to the encoders.
 #include <algorithm>
 #include <exception>
+#include <utility>
 
 #include "session/conductor.h"
 #include "session/finish.h"
@@ -63,14 +64,28 @@ std::optional<Conductor::Choice> Conductor::chooseView(Clock::time_point now, bo
     return std::nullopt;
 }
 
+/// Every other time the oldest job, so that it comes to an end; else the oldest of those that have taken least time.
+std::optional<std::uint64_t> Conductor::chooseJob() const {
+    std::optional<std::uint64_t> chosen;
+    int least = 0;
+    for (const auto& [id, progress] : jobs_) {
+        if (progress->loading) continue;
+        if (chosen && (oldest_job_ || progress->level() >= least)) continue;
+        chosen = id;
+        least = progress->level();
+    }
+    return chosen;
+}
+
 /// A job takes its turn among the views that move, as if it were the one with the highest number.
 std::optional<Conductor::Choice> Conductor::choose(Clock::time_point now) {
     std::optional<Choice> view = chooseView(now, true);
-    const auto job = std::find_if(jobs_.begin(), jobs_.end(), [](const auto& entry) { return !entry.second->loading; });
-    if (job != jobs_.end() && (!view || view->id <= served_interactive_)) {
+    const std::optional<std::uint64_t> job = chooseJob();
+    if (job && (!view || view->id <= served_interactive_)) {
         // Turns wrap around here: the job first, then the views from the lowest number.
         served_interactive_ = 0;
-        return Choice{nullptr, job->first, {}};
+        oldest_job_ = !oldest_job_;
+        return Choice{nullptr, *job, {}};
     }
     if (view) {
         served_interactive_ = view->id;
@@ -177,9 +192,9 @@ void Conductor::runJob(Lock& lock, std::uint64_t id, const std::shared_ptr<JobPr
     std::optional<model::Frame> frame;
     std::optional<Error> failure;
     try {
-        const model::Outputs outputs = job->samples_done == 0 ? job->job.outputs : model::Outputs{};
+        const model::Outputs outputs = job->has_outputs ? model::Outputs{} : job->job.outputs;
         frame = backend_.render(id, job->job.request, job->samples_done, count, outputs, &running->cancel);
-        if (job->samples_done == 0) {
+        if (!std::exchange(job->has_outputs, true)) {
             std::vector<std::uint8_t> rgba = std::move(frame->pixels.rgba);
             job->outputs = std::move(frame->pixels);
             frame->pixels = {};
@@ -189,7 +204,7 @@ void Conductor::runJob(Lock& lock, std::uint64_t id, const std::shared_ptr<JobPr
         failure = currentError();
     }
     const double took_ms = ms(Clock::now() - begin);
-    job->sample_ms = std::max(took_ms / count, 1e-3);
+    job->sample_ms = std::max(took_ms / std::max(count, 1), 1e-3);
     job->render_ms += took_ms;
     if (frame) job->samples_done = frame->info.samples;
 

@@ -142,7 +142,7 @@ Backend stubBackend(std::chrono::milliseconds sample_time) {
     Backend backend;
     backend.render = [sample_time](std::uint64_t, const model::FrameRequest& request, int first_sample, int count,
                                    const model::Outputs& outputs, const std::atomic<bool>* cancel) {
-        return draw(sample_time, request, first_sample, count, outputs, cancel);
+        return draw(sample_time, request, first_sample, std::max(count, 1), outputs, cancel);
     };
     backend.release = [](std::uint64_t) {};
     backend.fit_camera = fit;

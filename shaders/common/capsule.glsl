@@ -47,4 +47,12 @@ float capsuleHit(vec3 origin, vec3 direction, vec3 start, vec3 along, float radi
     return t + shift;
 }
 
+// Whether a point is inside of a capsule, by at least 5e-4 radii, so that rays which come to it are sure to hit the capsule before.
+// \param place  from an end of the axis \param along  from there to the other; zero: there is no capsule
+bool insideCapsule(vec3 place, vec3 along, float radius) {
+    const float length2 = dot(along, along);
+    const vec3 away = place - clamp(dot(place, along) / max(length2, 1e-30), 0.0, 1.0) * along;
+    return length2 > 0.0 && dot(away, away) < 0.999 * radius * radius;
+}
+
 #endif

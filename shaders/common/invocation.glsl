@@ -16,11 +16,14 @@ uint localInvocation() {
 uint globalInvocation() { return gl_WorkGroupID.x * gl_WorkGroupSize.x + localInvocation(); }
 
 // Workgroups of 64 cover blocks of 8x8 pixels, laid out so that any subgroup of 8, 16, 32 or 64 covers a compact part of one.
+// Dispatched as (columns of blocks, rows / z, z): a CPU driver gives each thread one run of workgroups, x fastest, and a run of
+// neighbouring rows would be all sky for one thread and all surface for another. So each gets every z-th row, for some of the z.
 // \param first_block_row  of the dispatch
 uvec2 pixelOfInvocation(uint first_block_row) {
     const uint i = localInvocation();
     const uvec2 inside = uvec2((i & 3u) | ((i >> 1u) & 4u), ((i >> 2u) & 1u) | ((i >> 3u) & 6u));
-    return uvec2(gl_WorkGroupID.x, gl_WorkGroupID.y + first_block_row) * 8u + inside;
+    const uint row = gl_WorkGroupID.y * gl_NumWorkGroups.z + gl_WorkGroupID.z;
+    return uvec2(gl_WorkGroupID.x, row + first_block_row) * 8u + inside;
 }
 
 #endif

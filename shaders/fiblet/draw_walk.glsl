@@ -9,6 +9,8 @@ const uint kBatch = kDetail == 0u || kDetail >= 4u ? 4u : kDetail;
 const bool kShortLines = kLines && !kTubes && kCuts == 0u && !kExactWidth;
 // What lies behind the depth of its pixel has no effect.
 const bool kNearest = !kCounting && !kFinding;
+// Of tubes that let light through, what is inside of a neighbour is left out; what a mesh cuts out of it hides nothing.
+const bool kJoins = kChain != 0u && kTubes && !kMeshCut;
 
 // Whether a line from a to b can have a pixel. \param a, b  places in the picture of points that are not before the near plane
 bool mayHavePixel(vec2 a, vec2 b) {
@@ -52,12 +54,20 @@ ShortLine shortLine(vec4 a, vec4 b, vec2 pixel_a, vec2 pixel_b) {
     return line;
 }
 
+// Where the order of the depth is behind which nothing has an effect: a limit, or the upper half of a word.
+uint nearestAt(uint pixel) { return kChain != 0u ? pixel : 2u * pixel + 1u; }
+
+bool isShown(FibletWalk walk, uint i) {
+    return i < walk.segments && (!kSegments || (shown >> i & 1ul) != 0ul);
+}
+
 // \param first  of the segments, a multiple of kBatch; `walk` has come so far
 void drawWalk(FibletLayerParams layer, FibletWalk walk, uint first, uint end, uint fiblet, bool tube, bool line) {
-    UintBuffer nearest = UintBuffer(layer.words);  // orders of depths, the upper halves of the words
+    UintBuffer nearest = UintBuffer(kChain != 0u ? layer.limits : layer.words);
     vec3 points[kBatch + 1u], ways[kBatch];
     vec4 eyes[kBatch + 1u], turns[kBatch];
     vec2 pixels[kBatch + 1u];
+    vec3 way_before = vec3(0.0);
     points[kBatch] = walk.pen.point;
     eyes[kBatch] = fibletEyePoint(view, walk.pen.point);
     pixels[kBatch] = placeOf(eyes[kBatch]);
@@ -86,7 +96,7 @@ void drawWalk(FibletLayerParams layer, FibletWalk walk, uint first, uint end, ui
                 places[j] = one.pixel;
                 depths[j] = one.depth;
                 // Read without a branch: see main().
-                const bool hidden = kNearest && nearest.at[2u * one.pixel + 1u] < orderOfDepth(one.depth);
+                const bool hidden = kNearest && nearest.at[nearestAt(one.pixel)] < orderOfDepth(one.depth);
                 drawn |= uint(shows && one.drawn && !hidden) << j;
                 others |= uint(shows && !one.known) << j;
             } else {
@@ -117,7 +127,20 @@ void drawWalk(FibletLayerParams layer, FibletWalk walk, uint first, uint end, ui
                 a = j == k ? points[k] : a;
                 b = j == k ? points[k + 1u] : b;
             }
-            drawSegments(layer, a, b, fibletEyePoint(view, a), fibletEyePoint(view, b), who + j, 1u, tube, line);
+            Joints joints = kNoJoints;
+            if (kJoins) {
+                const uint next = segment + kBatch;
+                vec3 before = way_before;
+                vec3 after = (next + 1u == walk.segments ? walk.last_length : layer.codec.step_mm) * fibletAxis(walk.pen.frame);
+                for (uint k = 1u; k < kBatch; ++k) {
+                    before = j == k ? points[k - 1u] - points[k] : before;
+                    after = j == k - 1u ? points[k + 1u] - points[k] : after;
+                }
+                if (isShown(walk, segment + j - 1u)) joints.before = before;
+                if (isShown(walk, segment + j + 1u)) joints.after = after;
+            }
+            drawSegments(layer, a, b, fibletEyePoint(view, a), fibletEyePoint(view, b), who + j, 1u, tube, line, joints);
         }
+        if (kJoins) way_before = points[kBatch - 1u] - points[kBatch];
     }
 }

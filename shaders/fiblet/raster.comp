@@ -31,6 +31,8 @@ layout(constant_id = 13) const bool kSmallAsLines = false;  // fiblets of a few 
 layout(constant_id = 14) const bool kMeshCut = false;      // by the depths of a mesh's faces
 layout(constant_id = 15) const bool kMeshOutside = false;  // what is not between them is shown; else what is
 layout(constant_id = 16) const bool kPaged = false;  // some of the fiblets are on the device
+layout(constant_id = 17) const uint kChain = 0u;     // slots of each pixel of a transparent layer; 0: nearest segments alone
+#include "shaders/fiblet/chain.glsl"
 
 layout(push_constant, scalar) uniform Push {
     LayerBuffer layer;
@@ -41,6 +43,9 @@ layout(push_constant, scalar) uniform Push {
 
 FibletView view;
 WordBuffer words, tangents, peeled;
+ChainBuffer chain;
+LimitBuffer limits;
+uint chains;  // pixels of the picture
 UintBuffer fragments, inside, found, cut_front, cut_back;
 uint fibre;
 uint64_t shown = 0ul;  // bit i: segment i is
@@ -49,8 +54,13 @@ uint64_t shown = 0ul;  // bit i: segment i is
 // again that do not name the winner; a second drawing finds the final words, so only winners write.
 // \param word  order of the depth above who is seen \param direction  as packLine() or packTube() has it
 void keep(uint pixel, uint64_t word, uint direction) {
+    const uint64_t named = uint64_t(direction) << 32 | uint(word);
+    if (kChain != 0u) {
+        keepInChain(chain, limits, chains, pixel, word, named);
+        return;
+    }
     if (atomicMin(words.at[pixel], word) < word) return;
-    tangents.at[pixel] = uint64_t(direction) << 32 | uint(word);
+    tangents.at[pixel] = named;
 }
 
 // \param looked  nothing nearer was there a moment ago
@@ -69,7 +79,8 @@ void mark(uint pixel, float depth, uint who, vec3 along, vec3 normal, bool looke
     const uint64_t word = uint64_t(orderOfDepth(depth)) << 32 | who;
     if (kPeel && word <= peeled.at[pixel]) return;
     if (kCounting && word <= peeled.at[pixel]) atomicAdd(fragments.at[pixel], 1u);
-    if (!looked && words.at[pixel] < word) return;
+    // What lies behind all that is kept costs one read.
+    if (!looked && (kChain != 0u ? limits.at[pixel] < uint(word >> 32) : words.at[pixel] < word)) return;
     keep(pixel, word, kTubes && dot(normal, normal) > 0.0 ? packTube(along, normal) : packLine(along));
 }
 
@@ -121,20 +132,42 @@ void drawLine(vec4 a, vec4 b, uint who, uint count, vec2 shares, vec3 way) {
     } while (++i < end);
 }
 
+// Ways from a segment's ends to the other ends of its neighbours; zero where none is drawn.
+struct Joints {
+    vec3 before;
+    vec3 after;
+};
+const Joints kNoJoints = Joints(vec3(0.0), vec3(0.0));
+
+// Whether a hit on a capsule is inside of a neighbour, so that the ray is in the tube already.
+bool isInside(vec3 from, vec3 along, Joints joints, vec3 hit, vec3 normal) {
+    const float share = clamp(dot(hit - from, along) / max(dot(along, along), 1e-30), 0.0, 1.0);
+    // From the normal, which has more digits.
+    const vec3 outwards = view.tube_radius * normal;
+    return insideCapsule(outwards + share * along, joints.before, view.tube_radius) ||
+           insideCapsule(outwards + (share - 1.0) * along, joints.after, view.tube_radius);
+}
+
 // \param p, along  from the fiblets' origin: an end, and the way to the other
-void drawTube(vec3 p, vec3 along, uint who) {
+void drawTube(vec3 p, vec3 along, uint who, Joints joints) {
     const FibletFootprint footprint = fibletFootprint(view, min(p, p + along), max(p, p + along), 0.0, view.tube_radius);
     if (!footprint.seen) return;
     const vec3 from = (p - view.reference_high) - view.reference_low;
     const vec3 right = view.right / dot(view.right, view.right), up = view.up / dot(view.up, view.up);
+    const uint nearest = orderOfDepth(footprint.nearest);
     for (int y = footprint.pixels.y; y <= footprint.pixels.w; ++y) {
         for (int x = footprint.pixels.x; x <= footprint.pixels.z; ++x) {
+            const uint pixel = uint(y * view.width + x);
+            if (kChain != 0u && !kCounting && limits.at[pixel] < nearest) continue;
             const vec2 place = vec2(float(x + view.window_x) + 0.5 - view.centre.x, view.centre.y - float(y + view.window_y) - 0.5);
             const vec3 origin = place.x * right + place.y * up;
             const vec3 direction = origin * view.inverse_distance + view.forward;  // its parameter is the depth
             vec3 normal;
             const float depth = capsuleHit(origin, direction, from, along, view.tube_radius, view.near_depth, normal);
-            if (depth <= view.far_depth) mark(uint(y * view.width + x), depth, who, along, normal, false);
+            if (depth > view.far_depth) continue;
+            // Opaque, it is hidden.
+            if (kChain != 0u && isInside(from, along, joints, origin + depth * direction, normal)) continue;
+            mark(pixel, depth, who, along, normal, false);
         }
     }
 }
@@ -176,16 +209,27 @@ bool cutSegment(FibletLayerParams layer, inout vec3 a, inout vec3 b, inout vec2 
     return true;
 }
 
-// A line for `count` segments from `who` on. \param a, b  ends, from the fiblets' origin
-void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_b, uint who, uint count, bool tube, bool line) {
+bool isCutOff(FibletLayerParams layer, vec3 point) {
+    bool out_of = false;
+    for (uint i = 0u; i < kCuts; ++i) out_of = out_of || dot(layer.cuts[i].normal, point) > layer.cuts[i].offset;
+    return out_of;
+}
+
+// A line for `count` segments from `who` on. \param a, b  ends, from the fiblets' origin \param joints  of a tube
+void drawSegments(FibletLayerParams layer, vec3 a, vec3 b, vec4 eye_a, vec4 eye_b, uint who, uint count, bool tube, bool line,
+                  Joints joints) {
     const vec3 way = b - a;
     vec2 shares = vec2(0.0, 1.0);
     if (kCuts != 0u) {
+        if (kChain != 0u) {
+            if (isCutOff(layer, a) || isCutOff(layer, a + joints.before)) joints.before = vec3(0.0);
+            if (isCutOff(layer, b) || isCutOff(layer, b + joints.after)) joints.after = vec3(0.0);
+        }
         if (!cutSegment(layer, a, b, shares)) return;
         eye_a = fibletEyePoint(view, a);
         eye_b = fibletEyePoint(view, b);
     }
-    if (kTubes && tube) drawTube(a, b - a, who);
+    if (kTubes && tube) drawTube(a, b - a, who, joints);
     if (kLines && line && clipToNear(eye_a, eye_b, shares)) drawLine(eye_a, eye_b, who, count, shares, way);
 }
 
@@ -203,7 +247,7 @@ void drawDetail(FibletLayerParams layer, inout FibletWalk walk, uint fiblet) {
         const float error = fibletChordError(view, eye_a, eye_b, float(end - first) * layer.codec.step_mm, distance(a, b), 0.0);
         if (error <= layer.detail_px) {
             worst = max(worst, error);
-            drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS | first, end - first, false, true);
+            drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS | first, end - first, false, true, kNoJoints);
         } else {
             drawWalk(layer, before, first, end, fiblet, false, true);
         }
@@ -225,7 +269,7 @@ bool drawAsLine(FibletLayerParams layer, FibletWalk walk, uint fiblet) {
         if (!(error <= layer.detail_px)) return false;
         noteError(layer, error);
     }
-    drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS, walk.segments, false, true);
+    drawSegments(layer, a, b, eye_a, eye_b, fiblet << FIBLET_SEGMENT_BITS, walk.segments, false, true, kNoJoints);
     return true;
 }
 
@@ -239,6 +283,11 @@ void main() {
     view = layer.view;
     words = WordBuffer(layer.words);
     tangents = WordBuffer(layer.tangents);
+    if (kChain != 0u) {
+        chain = ChainBuffer(layer.chain);
+        limits = LimitBuffer(layer.limits);
+        chains = uint(view.width * view.height);
+    }
     if (kPeel || kCounting) peeled = WordBuffer(layer.peeled);
     if (kCounting) fragments = UintBuffer(layer.fragments);
     if (kMeshCut) {

@@ -17,6 +17,7 @@ layout(constant_id = 3) const bool kTubes = false;
 layout(constant_id = 4) const bool kSelectedOnly = false;  // of the tubes
 layout(constant_id = 5) const bool kMarksOnly = false;     // the surface buffer is left alone
 layout(constant_id = 6) const bool kPaged = false;         // some of the fiblets are on the device
+#include "shaders/fiblet/shown.glsl"
 
 layout(buffer_reference, scalar) buffer SurfaceBuffer { Surface at[]; };
 layout(buffer_reference, scalar) buffer FrameCountersBuffer { uint hit_pixels; };
@@ -25,17 +26,6 @@ layout(push_constant, scalar) uniform Push {
     SurfaceBuffer surface;
     FrameCountersBuffer counters;  // null: pixels are resolved once more
 } push;
-
-// Of a fiblet that was drawn. Only a pick draws more than stays, and does not look at what depends on the fibre.
-uint fibreOf(FibletLayerParams layer, uint fiblet) {
-    uint at = fiblet;
-    if (kPaged) {
-        const FibletPlace place = PlaceBuffer(layer.places).at[fiblet / FIBLET_PAGE];
-        if (!fibletHeld(place, fiblet % FIBLET_PAGE)) return 0u;
-        at = fibletHeldAt(place, fiblet % FIBLET_PAGE);
-    }
-    return HeadBuffer(layer.heads).at[at].fibre;
-}
 
 // \return  whether the pixel showed nothing before and now shows this layer
 bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) {
@@ -48,7 +38,6 @@ bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) 
         }
         return false;
     }
-    const uint fiblet = who >> FIBLET_SEGMENT_BITS;
     if (kMarks) markSeen(layer, who);
     if (kMarksOnly) return false;
     const bool empty_before = kFirstLayer || push.surface.at[at].who == FIBLET_NOBODY;
@@ -58,11 +47,7 @@ bool resolve(FibletLayerParams layer, uint at, uint64_t word, uint64_t tangent) 
     }
     const uint steps = kFirstLayer ? 0u : push.surface.at[at].layer_and_steps & 0xffffffu;
     const float depth = depthOfOrder(uint(word >> 32)) * pixelStretch(layer.view, at);
-    const uint bits = uint(tangent >> 32);
-    bool tube = kTubes;
-    if (kTubes && kSelectedOnly) tube = fibreState(layer, fibreOf(layer, fiblet)) == FIBRE_SELECTED;
-    const vec3 direction = tube ? tubeNormal(bits) : lineTangent(bits);
-    push.surface.at[at] = Surface(depth, who, direction, layer.layer << 24u | steps);
+    push.surface.at[at] = Surface(depth, who, shownDirection(layer, who, uint(tangent >> 32)), layer.layer << 24u | steps);
     return empty_before;
 }
 

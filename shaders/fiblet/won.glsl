@@ -8,5 +8,6 @@ void markSeen(FibletLayerParams layer, uint who) {
 
 // Its tangent is another's, who wrote last.
 void drawAgain(FibletLayerParams layer, uint who) {
-    UintBuffer(layer.list).at[atomicAdd(CountsBuffer(layer.counts).counts.repaired, 1u)] = who >> FIBLET_SEGMENT_BITS;
+    const uint place = atomicAdd(CountsBuffer(layer.counts).counts.repaired, 1u);
+    if (place < layer.list_size) UintBuffer(layer.list).at[place] = who >> FIBLET_SEGMENT_BITS;
 }

@@ -30,26 +30,28 @@ VolumeHit marchVolume(VolumeParams volume, GridRay ray, float isovalue, float t_
     ivec3 cell;
     vec3 at;
     float value = marchValue(volume, ray, isovalue, t, cell, at);
-    ivec3 known_brick = ivec3(-1);
+    const GridSlopes slopes = gridSlopes(volume, ray);
+    ivec3 known_brick = ivec3(-1), known_block = ivec3(-1);
     // However little a step moves a ray that is far off, it ends.
     uint turns = uint(min((end - begin) / length_mm, 1e5)) + 4u * uint(volume.size.x + volume.size.y + volume.size.z);
     while (t < end && --turns > 0u) {
-        ++hit.steps;
-        if (bricks) {
-            // A sample for each brick without the isovalue: where the ray leaves it.
-            const ivec3 brick = cell >> int(BRICK_SHIFT);
-            if (brick != known_brick) {
-                known_brick = brick;
-                const int index = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
-                if (sideOfRange(RangeOfValues(volume.bricks).at[index], isovalue) != kSideUnknown) {
-                    int axis;
-                    const float leave = leaveCells(ray, gridSlopes(volume, ray), (brick << int(BRICK_SHIFT)) - ray.base, 1 << int(BRICK_SHIFT), axis);
-                    t = max(t, min(leave, end)) + 1e-3 * length_mm;
-                    value = marchValue(volume, ray, isovalue, min(t, end), cell, at);
-                    continue;
-                }
+        // A sample for each run of boxes without the isovalue: where the ray leaves the last of them.
+        bool left_out = false;
+        while (bricks && t < end && cell >> int(BRICK_SHIFT) != known_brick && --turns > 0u) {
+            ++hit.steps;
+            int shift, axis;
+            if (sideOfBox(volume, cell, isovalue, known_block, shift) == kSideUnknown) {
+                known_brick = cell >> int(BRICK_SHIFT);
+            } else {
+                const ivec3 box = ((cell >> shift) << shift) - ray.base;
+                t = max(t, min(leaveCells(ray, slopes, box, 1 << shift, axis), end)) + 1e-3 * length_mm;
+                cell = cellAt(ray, t, slopes.low_cell, slopes.high_cell) + ray.base;
+                left_out = true;
             }
         }
+        if (left_out) value = marchValue(volume, ray, isovalue, min(t, end), cell, at);
+        if (t >= end) break;
+        ++hit.steps;
         const float next = min(t + length_mm, end);
         ivec3 next_cell;
         const float next_value = marchValue(volume, ray, isovalue, next, next_cell, at);

@@ -80,6 +80,22 @@ vec3 placeInCell(GridRay ray, ivec3 cell, float t, int axis, bool entered) {
     return at;
 }
 
+// Side of all samples of the block or the brick that a cell of the volume is in, kSideUnknown if both have the isovalue.
+// \param block  the latest that is known to have it  \param shift  log2 of the box's edge
+int sideOfBox(VolumeParams volume, ivec3 cell, float isovalue, inout ivec3 block, out int shift) {
+    const ivec3 own = cell >> int(BLOCK_SHIFT), brick = cell >> int(BRICK_SHIFT);
+    shift = int(BLOCK_SHIFT);
+    if (own != block) {
+        const int at = own.x + volume.block_size.x * (own.y + volume.block_size.y * own.z);
+        const int side = sideOfRange(RangeOfValues(volume.blocks).at[at], isovalue);
+        if (side != kSideUnknown) return side;
+        block = own;
+    }
+    shift = int(BRICK_SHIFT);
+    const int at = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
+    return sideOfRange(RangeOfValues(volume.bricks).at[at], isovalue);
+}
+
 // Moves on to the cell behind a box of cells that the ray leaves at t by axis. \return whether the ray goes on there
 bool enterNext(GridRay ray, GridSlopes slopes, inout GridWalk walk, ivec3 low, int extent, float t, int axis) {
     walk.t = max(walk.t, t);
@@ -124,26 +140,17 @@ VolumeHit traceVolume(VolumeParams volume, GridRay ray, float isovalue, float t_
         // Boxes are left out until every lane of a subgroup is in a brick with the isovalue, or done; only then are cells looked at.
         while (bricks && more && (walk.cell + ray.base) >> int(BRICK_SHIFT) != walk.brick) {
             ++hit.steps;
-            const ivec3 cell = walk.cell + ray.base, block = cell >> int(BLOCK_SHIFT), brick = cell >> int(BRICK_SHIFT);
-            int shift = int(BLOCK_SHIFT);
-            int known = kSideUnknown;
-            if (block != walk.block) {
-                const int at = block.x + volume.block_size.x * (block.y + volume.block_size.y * block.z);
-                known = sideOfRange(RangeOfValues(volume.blocks).at[at], isovalue);
-                if (known == kSideUnknown) walk.block = block;
-            }
+            const ivec3 cell = walk.cell + ray.base;
+            int shift;
+            const int known = sideOfBox(volume, cell, isovalue, walk.block, shift);
             if (known == kSideUnknown) {
-                const int at = brick.x + volume.brick_size.x * (brick.y + volume.brick_size.y * brick.z);
-                known = sideOfRange(RangeOfValues(volume.bricks).at[at], isovalue);
-                shift = int(BRICK_SHIFT);
-            }
-            if (known == kSideUnknown) {
-                walk.brick = brick;
+                walk.brick = cell >> int(BRICK_SHIFT);
             } else {
                 walk.side = known;
                 const ivec3 box = ((cell >> shift) << shift) - ray.base;
-                leave = leaveCells(ray, slopes, box, 1 << shift, leave_axis);
-                more = enterNext(ray, slopes, walk, box, 1 << shift, leave, leave_axis);
+                int axis;
+                const float leave_box = leaveCells(ray, slopes, box, 1 << shift, axis);
+                more = enterNext(ray, slopes, walk, box, 1 << shift, leave_box, axis);
             }
         }
         while (more && !found && (!bricks || (walk.cell + ray.base) >> int(BRICK_SHIFT) == walk.brick)) {

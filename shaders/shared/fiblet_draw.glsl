@@ -83,12 +83,21 @@ struct FibletLayerParams {
     float detail_px;  // pixels that lines may be off
     float end_slack;  // mm that a fiblet's end may be from the start of the next
     uint detail_segments;  // that follow each other and may become one line: a power of two; 0: none do
-    uint pad;
+    uint list_size;        // fiblets that have room in the list
     uint64_t places;  // FibletPlaces of a tractogram beyond the memory budget; 0: all of it lies in its own order
     uint64_t cut_front;  // uint[pixels]: order of depths of the cutting mesh's nearest front face; FIBLET_NOBODY: none
     uint64_t cut_back;   // uint[pixels]: of its farthest back face; 0: none
+    uint64_t chain;      // ChainSlot[slots][pixels]: of transparent layers, the nearest that are not composed
+    uint64_t limits;     // uint[pixels]: order of depths behind which chains keep nothing
 };
-STATIC_SIZE(FibletLayerParams, 480);
+STATIC_SIZE(FibletLayerParams, 496);
+
+// A segment that a pixel of a transparent layer keeps.
+struct ChainSlot {
+    uint64_t word;   // as in `words`
+    uint64_t named;  // as in `tangents`
+};
+STATIC_SIZE(ChainSlot, 16);
 
 // Where the fiblets of a page lie that are in device memory, of a tractogram beyond the memory budget: all, or those of the subset.
 struct FibletPlace {

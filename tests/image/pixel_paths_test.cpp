@@ -150,6 +150,33 @@ TEST_F(PixelPaths, AreNearTheTexelsAtRestWhereValuesJumpWithinAVoxel) {
     }
 }
 
+/// A picture of one sample may be worked on slice by slice: other pictures have their turn meanwhile, and it is the same in the end.
+TEST_F(PixelPaths, AndTexelsOfOneSampleGrowInSlices) {
+    model::FrameRequest wanted = request();
+    wanted.quality.samples = 1;
+    lightOf(wanted).relative_error = 0.01F;
+    lightOf(wanted).samples_max = 1024;
+    model::Outputs outputs;
+    outputs.depth = true;
+    for (const model::IlluminationMethod method : {model::IlluminationMethod::kPathTracing, model::IlluminationMethod::kLattice}) {
+        lightOf(wanted).method = method;
+        render::Target target;
+        model::Frame frame = renderer.render(target, wanted, 0, 0, outputs);
+        EXPECT_EQ(frame.pixels.depth.size(), static_cast<std::size_t>(wanted.width) * static_cast<std::size_t>(wanted.height));
+        int slices = 1;
+        for (; frame.info.samples < 1 && slices < 500; ++slices) {
+            model::FrameRequest other = wanted;
+            other.camera.eye_mm += glm::dvec3(slices, 0, 0);
+            lightOf(other).samples_max = 4;
+            if (slices < 4) draw(other);
+            frame = renderer.render(target, wanted, 0, 0);
+        }
+        EXPECT_EQ(frame.info.samples, 1);
+        EXPECT_GT(slices, 1) << "too short a picture to say anything";
+        EXPECT_EQ(frame.pixels.rgba, draw(wanted).pixels.rgba);
+    }
+}
+
 TEST_F(PixelPaths, StopAtTheErrorThatWasAskedForAndGrowStepByStep) {
     model::FrameRequest wanted = request();
     wanted.quality.samples = 2;

@@ -6,6 +6,7 @@
 #include "image/fibre_scenes.h"
 #include "image/fixture.h"
 #include "reference/camera_rays.h"
+#include "reference/capsule.h"
 #include "reference/scalar_field.h"
 #include "reference/shading.h"
 
@@ -107,6 +108,41 @@ protected:
             }
         }
     }
+    /// Where rays enter what is within a radius of a fibre: of its capsules the intervals that none before reaches into.
+    void addTubes(const model::Layer& layer, const model::FibletSet& set, Sheets& sheets) const {
+        const double radius = static_cast<double>(*layer.tracts().tube_radius_mm);
+        const std::vector<reference::FibreSegment> segments = decodedSegments(set);
+        for (std::size_t at = 0; at < sheets.size(); ++at) {
+            const reference::Ray ray =
+                reference::cameraRay(base_.camera, kWidth, kHeight, static_cast<double>(at % kWidth) + 0.5,
+                                     static_cast<double>(at / kWidth) + 0.5);  // NOLINT: the row
+            std::vector<std::vector<std::pair<double, double>>> inside(set.fibres());
+            for (const reference::FibreSegment& segment : segments) {
+                const glm::dvec3 along = segment.to - segment.from;
+                const double middle = glm::dot(segment.from + 0.5 * along - ray.origin, ray.direction);
+                const glm::dvec3 nearest = ray.origin + middle * ray.direction;
+                const double away = 2 * radius + glm::length(along);
+                if (2 * glm::distance(nearest, segment.from + 0.5 * along) > away) continue;
+                const auto hit = [&](double from, double way) {
+                    return reference::capsuleHit(nearest + from * ray.direction, way * ray.direction, segment.from, along,
+                                                 radius, 0);
+                };
+                const reference::CapsuleHit enters = hit(-away, 1), leaves = hit(away, -1);
+                if (!enters.hit || !leaves.hit) continue;
+                inside[set.heads[segment.who >> 6U].fibre].emplace_back(middle - away + enters.t, middle + away - leaves.t);
+            }
+            for (auto& intervals : inside) {
+                std::ranges::sort(intervals);
+                double end = -1e30;
+                for (const auto& [from, to] : intervals) {
+                    if (from > end)
+                        sheets[at].push_back(
+                            {from, static_cast<double>(layer.opacity), glm::dvec3(layer.tracts().colour.uniform)});
+                    end = std::max(end, to);
+                }
+            }
+        }
+    }
     /// How many pixels of those with at least `least` sheets, and how many of them are as composed, to 0.012 of linear light.
     std::pair<int, int> compare(const model::Frame& frame, Sheets sheets, std::size_t least) const {
         int several = 0, equal = 0;
@@ -171,6 +207,37 @@ TEST_F(Transparency, ComposesLayersOfAllKindsByDepth) {
     }
     EXPECT_EQ(frame.info.hit_pixels, static_cast<std::uint64_t>(std::ranges::count_if(
                                          frame.pixels.depth, [](float depth) { return std::isfinite(depth); })));
+}
+
+/// Tubes of two layers that run into each other, and an isosurface and glyphs among them, over an opaque lump: many more
+/// surfaces than a pixel keeps of a layer at once. Within a fibre's own bends one surface may count for two.
+TEST_F(Transparency, ComposesManyTubes) {
+    const model::FibletSet many = randomTractogram(43, 150, 200, 0.25, 4), more = randomTractogram(44, 80, 200, 0.25, 4);
+    store.add("many", many);
+    store.add("more", more);
+    std::vector<model::Layer> layers{fibres("many", {1, 0, 0}, 0.2F), surface(kIso, {0, 1, 0}, 0.3F), glyphs({0, 0, 1}, 0.3F),
+                                     fibres("more", {1, 1, 0}, 0.15F), surface(75, {1, 1, 1}, 1)};
+    for (const std::size_t i : {std::size_t{0}, std::size_t{3}}) layers[i].tracts().tube_radius_mm = 0.5F;
+    const auto check = [&](const std::vector<model::Layer>& shown, std::size_t deep) {
+        Sheets sheets(kWidth * kHeight);
+        for (const model::Layer& layer : shown) {
+            if (layer.ifTracts()) addTubes(layer, layer.datasetId() == "many" ? many : more, sheets);
+            if (layer.ifSurface() && layer.opacity < 1) addCrossings(layer, sheets);
+            if (layer.ifGlyphs() || layer.opacity >= 1) addNearest(layer, sheets);
+        }
+        const model::Frame frame = draw(sceneOf(shown));
+        const auto [several, equal] = compare(frame, sheets, deep);
+        const auto [covered, all_equal] = compare(frame, sheets, 1);
+        std::printf("%d of %d pixels of %zu surfaces and more as composed, %d of %d of any\n", equal, several, deep, all_equal,
+                    covered);
+        EXPECT_GT(several, 150);
+        EXPECT_GT(equal, several * 94 / 100);
+        EXPECT_GT(all_equal, covered * 97 / 100);
+        return frame;
+    };
+    const model::Frame tubes = check({layers[0]}, 10);
+    EXPECT_EQ(draw(sceneOf({layers[0]})).pixels.rgba, tubes.pixels.rgba);
+    check(layers, 20);
 }
 
 /// Half-opaque glyphs show fibres and surfaces behind them, not the background.

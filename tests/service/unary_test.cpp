@@ -93,6 +93,28 @@ TEST(Render, IsCancelledWithItsClient) {
     EXPECT_LT(std::chrono::steady_clock::now() - start, milliseconds(2000 + 500));
 }
 
+TEST(Render, ShortPicturesDoNotWaitForTheEndOfLongOnes) {
+    Rig rig(session::stubBackend(milliseconds(40)));
+    const auto channel = rig.channel();
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point long_one, short_one;
+    std::thread first([&] {
+        v1::RenderRequest request = renderRequest();
+        request.mutable_frame()->mutable_quality()->set_samples(64);
+        v1::RenderResponse response;
+        EXPECT_TRUE(render(channel, request, response).ok());
+        long_one = Clock::now();
+    });
+    std::this_thread::sleep_for(milliseconds(1200));  // longer than a job is taken for a short one
+    v1::RenderRequest request = renderRequest();
+    request.mutable_frame()->mutable_quality()->set_samples(2);
+    v1::RenderResponse response;
+    EXPECT_TRUE(render(channel, request, response).ok());
+    short_one = Clock::now();
+    first.join();
+    EXPECT_GT(long_one - short_one, milliseconds(300));
+}
+
 TEST(Render, WaitingPicturesAreBounded) {
     session::Settings settings;
     settings.jobs_max = 1;

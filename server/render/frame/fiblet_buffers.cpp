@@ -75,9 +75,13 @@ void FibletBuffers::prepare(gpu::Device& device, const FibletScene& scene, const
     }
 }
 
-void FibletBuffers::preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted) {
+void FibletBuffers::preparePeels(gpu::Device& device, std::uint64_t pixels, std::uint32_t slots, bool counted) {
     ensureBytes(device, peeled, 8 * pixels, gpu::Memory::kDevice, "peeled words");
+    ensureBytes(device, chain, sizeof(shader::ChainSlot) * pixels * slots, gpu::Memory::kDevice, "chains of fibres");
+    ensureBytes(device, limits, 4 * pixels, gpu::Memory::kDevice, "limits of chains");
     layer().peeled = peeled.address();
+    layer().chain = chain.address();
+    layer().limits = limits.address();
     if (!counted) return;
     ensureBytes(device, fragments, 4 * pixels, gpu::Memory::kDevice, "fragments");
     layer().fragments = fragments.address();
@@ -98,6 +102,7 @@ void FibletBuffers::fill(const FibletScene& scene, const shader::FibletView& vie
     layer.words = words.address();
     layer.tangents = tangents.address();
     layer.list = list.address();
+    layer.list_size = static_cast<std::uint32_t>(std::min<std::uint64_t>(list.sizeBytes() / 4, 0xffffffffU));
     if (visible) layer.visible = visible.address();
     if (page_order) layer.page_order = page_order.address();
     if (pyramid) layer.pyramid = pyramid.address();

@@ -27,6 +27,7 @@ struct FibletBuffers {
     gpu::Buffer found_page_numbers;            ///< the same, read back, for a scene that is not all on the device
     gpu::Buffer shown_pages;                   ///< uint[pages]: what is drawn of them
     gpu::Buffer peeled, fragments;             ///< of a transparent layer: uint64[pixels]; uint[pixels] while moving
+    gpu::Buffer chain, limits;                 ///< of one: shader::ChainSlot[slots][pixels]; uint[pixels]
     gpu::Buffer cut_front, cut_back;           ///< uint[pixels]; only where a mesh cuts by its depths
     gpu::Buffer pyramid;                       ///< uint[]
     gpu::Buffer next;                          ///< uint[fiblets]: that goes on along the fibre; only where it is looked at
@@ -50,8 +51,8 @@ struct FibletBuffers {
     /// Buffers for a window of a picture. \param culled  lists and pyramid too \param ends  where fiblets end too
     /// \throws Error(kResourceExhausted)
     void prepare(gpu::Device& device, const FibletScene& scene, const glm::ivec2& size, bool culled, bool ends);
-    /// What a transparent layer takes besides, after fill().
-    void preparePeels(gpu::Device& device, std::uint64_t pixels, bool counted);
+    /// What a transparent layer takes besides, after fill(). \param slots  segments that each pixel keeps
+    void preparePeels(gpu::Device& device, std::uint64_t pixels, std::uint32_t slots, bool counted);
     /// Everything that drawing reads. \param view  of this sample
     void fill(const FibletScene& scene, const shader::FibletView& view, std::span<const shader::FibletCut> cuts,
               std::uint64_t states, std::uint32_t layer_index);

@@ -25,7 +25,7 @@ bool FibletDraw::drawsMeshes() const {
 
 void FibletDraw::begin(bool empty) {
     raster_.begin(empty);
-    if (raster_.use.peels) return;
+    if (raster_.use.chain != 0) return;
     if (raster_.drawsLines()) {
         run_.target.fiblet_lines.reset();
     } else {
@@ -71,7 +71,11 @@ void FibletDraw::drawWords() {
     if (plan_.culling == model::FibletCulling::kNone) {
         raster_.draw(false, 0, static_cast<std::uint32_t>(scene_.fibletCount()));
     } else {
-        cull_.cull(0, 0, own_.orderPages(scene_));
+        const std::uint32_t pages = own_.orderPages(scene_);
+        // What lies before nothing but pixels that are done is not drawn again.
+        const bool hides = raster_.use.peeling;
+        if (hides) cull_.pyramid();
+        cull_.cull(hides ? 3 : 0, 0, pages);
         raster_.draw(true, 0, own_.counts().listed);
     }
     own_.drawn = own_.counts().listed;
@@ -82,12 +86,21 @@ void FibletDraw::settle(FibletRaster::Resolve how) {
     // With the same shaders: whether anything is drawn once more depends on what ran in parallel.
     how.counts = false;
     while (repaired > 0) {
-        if (plan_.paged && run_.list.all_pages) {
-            drawAllPages();
-        } else {
-            raster_.draw(true, 0, repaired);
-        }
+        repair(repaired);
         repaired = raster_.resolve(how);
+    }
+}
+
+void FibletDraw::settleSheet(std::uint32_t slot) {
+    while (const std::uint32_t repaired = raster_.resolveSheet(slot)) repair(repaired);
+}
+
+/// Draws once more what is listed as it has lost its directions.
+void FibletDraw::repair(std::uint32_t repaired) {
+    if (plan_.paged && run_.list.all_pages) {
+        drawAllPages();
+    } else {
+        raster_.draw(true, 0, repaired);
     }
 }
 

@@ -27,6 +27,8 @@ public:
     void drawWords();
     /// Resolves, and draws and resolves once more as long as tangents are missing; what it counts it counts once.
     void settle(FibletRaster::Resolve how);
+    /// The same of chains. \param slot  as in FibletRaster::resolveSheet()
+    void settleSheet(std::uint32_t slot);
 
 private:
     bool drawsMeshes() const;
@@ -35,6 +37,7 @@ private:
     void step(std::uint32_t phase, std::uint32_t first, std::uint32_t end);
     void drawPaged();
     void drawAllPages();
+    void repair(std::uint32_t repaired);
 
     FibletRun& layer_;
     PassRun& run_;

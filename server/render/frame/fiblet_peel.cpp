@@ -10,25 +10,28 @@ struct FibletPeel::Layer {
     FibletDraw drawing;
 };
 
-FibletPeel::FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, bool counted)
-    : layer_(std::make_unique<Layer>(run, layer, alone, pace)), counted_(counted) {
-    layer_->drawing.raster().use.peels = true;
+FibletPeel::FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, std::uint32_t slots, bool counted)
+    : layer_(std::make_unique<Layer>(run, layer, alone, pace)), slots_(slots), counted_(counted) {
+    layer_->drawing.raster().use.chain = slots;
     layer_->layer.prepare(run.target.frame().rays, run.list.camera.reference_mm);
-    layer_->layer.own.preparePeels(run.device, run.pixels(), counted);
+    layer_->layer.own.preparePeels(run.device, run.pixels(), slots, counted);
 }
 FibletPeel::~FibletPeel() = default;
 FibletPeel::FibletPeel(FibletPeel&&) noexcept = default;
 
-void FibletPeel::find(bool first) {
+void FibletPeel::find(std::uint32_t round) {
     FibletDraw& drawing = layer_->drawing;
     layer_->layer.run.checkCancelled();
-    FibletUse& use = drawing.raster().use;
-    use.peeling = !first;
-    use.counting = first && counted_;
-    drawing.begin(false);
-    drawing.drawWords();
-    use.counting = false;
-    drawing.settle({});
+    if (round % slots_ == 0) {
+        FibletUse& use = drawing.raster().use;
+        use.peeling = round > 0;
+        use.counting = round == 0 && counted_;
+        drawing.begin(false);
+        drawing.drawWords();
+        use.counting = false;
+    }
+    // No pixel takes more than one segment of a layer in a round.
+    drawing.settleSheet(round % slots_);
 }
 
 std::uint64_t FibletPeel::address() const { return layer_->layer.own.layerAddress(); }

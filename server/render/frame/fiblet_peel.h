@@ -14,19 +14,21 @@ namespace radiata::render {
 class FibletPeel {
 public:
     /// \param alone    no other layer is transparent: the peel surface is what this one finds
+    /// \param slots    rounds for which fibres are drawn at once
     /// \param counted  the first round counts the segments before what is opaque
-    FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, bool counted);
+    FibletPeel(PassRun& run, std::size_t layer, FibletPace& pace, bool alone, std::uint32_t slots, bool counted);
     ~FibletPeel();
     FibletPeel(FibletPeel&&) noexcept;
 
-    /// Puts segments into the target's peel surface where they are the nearest so far. \param first  nothing is composed yet
-    void find(bool first);
+    /// Puts segments into the target's peel surface where they are the nearest so far. \param round  counted from 0
+    void find(std::uint32_t round);
     /// Of shader::FibletLayerParams.
     std::uint64_t address() const;
 
 private:
     struct Layer;
     std::unique_ptr<Layer> layer_;
+    std::uint32_t slots_;
     bool counted_;
 };
 

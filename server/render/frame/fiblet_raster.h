@@ -10,7 +10,8 @@ namespace radiata::render {
 
 /// What words are for.
 struct FibletUse {
-    bool peels = false;     ///< the nearest segments that are not composed yet, of a transparent layer; else the nearest
+    /// Of each pixel, so many of the nearest segments that are not composed yet, of a transparent layer; 0: the nearest
+    std::uint32_t chain = 0;
     bool peeling = false;   ///< some are composed
     bool counting = false;  ///< segments before what is opaque are counted
     bool finding = false;   ///< fibres in an outline are noted, nothing is drawn
@@ -23,7 +24,7 @@ public:
     FibletUse use;
 
     /// Whether lines are drawn so too, not only tubes: transparent layers and outlines are for this pipeline alone.
-    bool drawsLines() const { return use.peels || use.finding || plan_.pipeline == model::FibletPipeline::kAtomic; }
+    bool drawsLines() const { return use.chain != 0 || use.finding || plan_.pipeline == model::FibletPipeline::kAtomic; }
     /// \param empty  nothing that was drawn before is looked at
     void begin(bool empty);
     /// Fiblets [first, end) of the list, or of all, in bounded submissions: what no other pipeline draws of them.
@@ -34,12 +35,16 @@ public:
         bool counts = false;      ///< pixels that show something
         bool marks_only = false;  ///< the surface buffer is left alone
     };
-    /// Of peels to the target's peel surface, else to its surface buffer, or lit to the picture (fibre_light.h). \return
-    /// fiblets that are listed anew, as others have overwritten their tangents; a second drawing finds the final words
+    /// To the target's surface buffer, or lit to the picture (fibre_light.h). \return  fiblets that are listed anew, as others
+    /// have overwritten their tangents; a second drawing finds the final words
     std::uint32_t resolve(const Resolve& how);
+    /// Of chains, the nearest segments that are not composed yet to the target's peel surface. \param slot  how often it was
+    /// done since they were drawn \return  as resolve() does
+    std::uint32_t resolveSheet(std::uint32_t slot);
 
 private:
     void toSurface(const Resolve& how);
+    std::uint32_t takeRepaired();
 
     FibletRun& layer_;
     PassRun& run_;

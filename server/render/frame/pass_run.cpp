@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <thread>
 
 #include "base/error.h"
 
@@ -17,6 +18,11 @@ void PassRun::checkCancelled() const {
 
 std::uint32_t PassRun::bandRows(const BandSize& size, std::uint32_t left) {
     return std::clamp(static_cast<std::uint32_t>(size.block_rows), 1U, left);
+}
+
+std::uint32_t PassRun::rowRuns() {
+    static const std::uint32_t runs = std::clamp(std::thread::hardware_concurrency(), 1U, 16U);
+    return runs;
 }
 
 void PassRun::submitBand(BandSize& size, std::uint32_t rows) const {

@@ -87,17 +87,21 @@ struct PassRun {
     /// \throws Error(kCancelled) if nobody wants the picture any more
     void checkCancelled() const;
 
-    /// Dispatches one workgroup per block of 8x8 pixels in bands of rows, each submitted and waited for; looks at `cancel`
-    /// before each. `push` ends with `std::uint32_t first_block_row`, which is set here.
+    /// Dispatches one workgroup per block of 8x8 pixels in bands of rows, each submitted and waited for, in the order that
+    /// shaders/common/invocation.glsl expects; looks at `cancel` before each. `push` ends with `std::uint32_t first_block_row`,
+    /// which is set here.
     template <typename Push>
     void dispatchBands(const gpu::ComputePipeline& pipeline, const std::string& pass, Push push, BandSize& size) {
         const std::uint32_t blocks_x = static_cast<std::uint32_t>(target.width + 7) / 8;
         const std::uint32_t blocks_y = static_cast<std::uint32_t>(target.height + 7) / 8;
         for (std::uint32_t row = 0; row < blocks_y;) {
             checkCancelled();
-            const std::uint32_t rows = bandRows(size, blocks_y - row);
+            const std::uint32_t left = blocks_y - row, wanted = bandRows(size, left), runs = std::min(wanted, rowRuns());
+            // Rows below the picture have no pixels, rows of the next band would be drawn twice.
+            const std::uint32_t of_each = wanted == left ? (wanted + runs - 1) / runs : wanted / runs;
+            const std::uint32_t rows = std::min(of_each * runs, left);
             push.first_block_row = row;
-            recorder.dispatch(pipeline, pass, blocks_x, rows, 1, push);
+            recorder.dispatch(pipeline, pass, blocks_x, of_each, runs, push);
             submitBand(size, rows);
             row += rows;
         }
@@ -110,6 +114,8 @@ struct PassRun {
     }
 
 private:
+    /// Into how many runs rows of blocks are dealt out: one for each thread that a CPU driver may have.
+    static std::uint32_t rowRuns();
     static std::uint32_t bandRows(const BandSize& size, std::uint32_t left);
     void submitBand(BandSize& size, std::uint32_t rows) const;
 };

@@ -1,9 +1,11 @@
 #include "render/frame/peel_passes.h"
 
+#include <algorithm>
 #include <bit>
 #include <vector>
 
 #include "gpu/device.h"
+#include "plan/plan_peels.h"
 #include "render/frame/fiblet_peel.h"
 #include "render/frame/isosurface_passes.h"
 #include "render/frame/light_passes.h"
@@ -13,7 +15,9 @@ namespace radiata::render {
 namespace {
 
 /// Surfaces per pixel that a moving picture composes.
-constexpr int kMovingPeels = 4;
+constexpr std::uint32_t kMovingPeels = 4;
+/// Segments that a pixel keeps of a layer at rest, where memory suffices.
+constexpr std::uint32_t kRestingSlots = 8;
 
 struct BeginPush {
     std::uint64_t peel, opaque, found, looks;
@@ -31,10 +35,13 @@ public:
         params() = {};
         const std::vector<model::Layer>& layers = run.list.plan->resolved.scene.layers;
         const bool alone = std::popcount(run.list.plan->peeled_layers) == 1;
+        const auto lets_through = [](const model::Layer& layer) { return layer.ifTracts() && layer.opacity < 1; };
+        const auto fibre_layers = static_cast<std::uint64_t>(std::ranges::count_if(layers, lets_through));
+        const std::uint32_t slots = plan::peelSlots(pixels, fibre_layers, fast_ ? kMovingPeels : kRestingSlots);
         for (std::size_t i = 0; i < layers.size(); ++i) {
             if ((run.list.plan->peeled_layers >> i & 1U) == 0) continue;
             if (layers[i].ifTracts()) {
-                fibres_.emplace_back(run, i, pace, alone, fast_);
+                fibres_.emplace_back(run, i, pace, alone, slots, fast_);
                 alone_ = alone;
                 params().fibres[i] = fibres_.back().address();
             } else if (layers[i].ifGlyphs()) {
@@ -53,12 +60,12 @@ public:
 
     void draw() {
         run_.target.approximate = fast_;
-        for (int round = 0; !fast_ || round < kMovingPeels; ++round) {
+        for (std::uint32_t round = 0; !fast_ || round < kMovingPeels; ++round) {
             run_.checkCancelled();
             // One layer of fibres writes all of the peel surface itself.
             if (!alone_ || (fast_ && round == 0)) begin(round == 0);
             if (surfaces_ != 0) findCrossings(round == 0);
-            for (FibletPeel& layer : fibres_) layer.find(round == 0);
+            for (FibletPeel& layer : fibres_) layer.find(round);
             params().more = 0;
             runPeelLight(run_, run_.target.peel_params.address(), kinds_, round == 0, fast_ && round + 1 == kMovingPeels);
             run_.recorder.submitAndWait();

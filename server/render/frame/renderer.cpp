@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <list>
+#include <utility>
 
 #include "base/error.h"
 #include "build/fibre_selection.h"
@@ -229,7 +230,8 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     model::validate(request, impl_->limits);
     Target::Impl& buffers = *target.impl_;
     const int most = request.quality.samples == 1 ? 1 : impl_->limits.samples_max;
-    if (count < 1 || first_sample < 0 || first_sample + count > most) {
+    const bool sliced = count == 0 && first_sample == 0 && request.quality.samples == 1;
+    if ((count < 1 && !sliced) || first_sample < 0 || first_sample + count > most) {
         throw Error(Code::kInternal, "samples " + std::to_string(first_sample) + " to " + std::to_string(first_sample + count));
     }
     if (first_sample > 0 && (buffers.samples != first_sample || !(buffers.request == request))) {
@@ -244,22 +246,25 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     preparePaths(impl_->device, impl_->path_lights, impl_->store, list);
     buffers.prepare(impl_->device, request.width, request.height, list.layers.size());
     list.picture_only = !outputs.any();
+    const bool goes_on = std::exchange(buffers.in_slices, false) && sliced && buffers.request == request && !outputs.any();
     list.settled = first_sample == 0 && impl_->drawer.beginView(buffers, list, request);
     impl_->drawer.takeTimings();
     const bool global = plan.usesGlobalLight();
     // All samples at once are wanted as they will be; step by step, pictures show how far the light is.
     std::optional<std::chrono::steady_clock::time_point> until;
-    if (first_sample + count < request.quality.samples || first_sample > 0) until = begin + kSettleSlice;
+    if (sliced || first_sample + count < request.quality.samples || first_sample > 0) until = begin + kSettleSlice;
     const auto settle = [&] {
         list.settled = true;
         return !global || buffers.settled || impl_->drawer.settle(buffers, list, until, cancel);
     };
     const std::uint64_t read_before = pageBytesRead(list);
     // Moving pictures wait for no disk. Outputs are those of the finished picture.
-    const bool moves = first_sample == 0 && count < request.quality.samples && !outputs.any();
+    const bool moves = !sliced && first_sample == 0 && count < request.quality.samples && !outputs.any();
     if (moves) list.pages_until = begin;
-    list.moving = plan.usesPeels() && first_sample == 0 && count < request.quality.samples;
-    for (int sample = first_sample; sample < first_sample + count; ++sample) {
+    list.moving = plan.usesPeels() && !sliced && first_sample == 0 && count < request.quality.samples;
+    const bool kept = goes_on && !buffers.pages_missing && buffers.pages_serial == pagesSerial(list);
+    const int end = sliced && !kept ? 1 : first_sample + count;
+    for (int sample = first_sample; sample < end; ++sample) {
         list.moving = list.moving && sample == 0;
         // Other views may have taken the place of pages that the light of this one is still to fall on.
         const bool pages_lost = global && !buffers.settled && buffers.pages_serial != pagesSerial(list);
@@ -282,7 +287,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
             if (outputs.any()) readOutputs(impl_->device, impl_->drawer, buffers, list, outputs, frame.pixels);
         }
     }
-    if (buffers.samples == request.quality.samples) settle();
+    if (buffers.samples == request.quality.samples) buffers.in_slices = !settle() && sliced;
     if (global) impl_->lattices.save(list, impl_->store);
     if (global) {
         frame.info.illumination = plan.usesPathTracing() ? pathInfo(impl_->device, buffers, list) : illuminationInfo(list);
@@ -299,7 +304,7 @@ model::Frame Renderer::render(Target& target, const model::FrameRequest& request
     const std::size_t bytes = static_cast<std::size_t>(request.width) * static_cast<std::size_t>(request.height) * 4;
     const auto picture = buffers.picture.as<std::uint8_t>().first(bytes);
     frame.pixels.rgba.assign(picture.begin(), picture.end());
-    frame.info.samples = buffers.samples;
+    frame.info.samples = buffers.in_slices ? 0 : buffers.samples;
     frame.info.state = frame.info.samples >= request.quality.samples ? model::FrameState::kConverged
                        : first_sample == 0                           ? model::FrameState::kInteractive
                                                                      : model::FrameState::kRefining;

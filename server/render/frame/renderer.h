@@ -47,9 +47,10 @@ public:
     /// Adds samples [first_sample, first_sample + count) to the picture in the target and returns it.
     /// first_sample 0 starts anew; any other must continue the same request in the same target.
     /// The bytes depend on the request and on first_sample + count only, not on how the samples were split over calls.
-    /// \param outputs  lossless arrays wanted too; taken from sample 0, so only with first_sample 0
-    /// \param cancel   looked at between submissions, at most every 50 ms; may be null
-    /// \throws Error(kInvalidArgument, kNotFound, kResourceExhausted, kUnsupported), Error(kCancelled) if cancelled
+    /// No samples of a picture of one: works for a slice of time at its global light, and returns it with info.samples 0 as
+    /// long as that is not done; every call goes on, if the target is left alone. \param outputs  lossless arrays wanted too;
+    /// taken from sample 0, so only with first_sample 0 \param cancel   looked at between submissions, at most every 50 ms; may
+    /// be null \throws Error(kInvalidArgument, kNotFound, kResourceExhausted, kUnsupported), Error(kCancelled) if cancelled
     model::Frame render(Target& target, const model::FrameRequest& request, int first_sample, int count,
                         const model::Outputs& outputs = {}, const std::atomic<bool>* cancel = nullptr);
 

@@ -66,6 +66,7 @@ struct Target::Impl {
     double path_seconds = 0;            ///< spent on paths of the picture
     std::uint64_t surface_number = 0;   ///< of the first sample in the surface buffer: views have their own
     std::uint64_t request_surface = 0;  ///< that which `request` was drawn into
+    bool in_slices = false;             ///< its one sample's light is being worked on, slice by slice
     bool settled = false;               ///< its global light is that of a picture at rest
     std::vector<std::unique_ptr<FibletBuffers>> fiblets;  ///< one per layer, where it has fibres
     std::unique_ptr<FibletLineBuffers> fiblet_lines;      ///< only while fibres are drawn by other pipelines than atomic

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "plan/plan.h"
+#include "plan/plan_peels.h"
 
 namespace radiata::plan {
 namespace {
@@ -134,6 +135,17 @@ TEST(PlanFiblets, CullAllLayersAlike) {
     EXPECT_EQ(made.resolved.quality.fiblet_culling, Culling::kTwoPhase);
     EXPECT_EQ(made.fiblets[0]->culling, Culling::kTwoPhase);
     EXPECT_EQ(made.fiblets[2]->culling, Culling::kFrustum);
+}
+
+/// Segments that pixels keep of transparent layers: 16 bytes each, 256 MiB of all layers.
+TEST(PlanFiblets, KeepAsManySegmentsAsFit) {
+    EXPECT_EQ(peelSlots(500 * 400, 1, 8), 8U);
+    EXPECT_EQ(peelSlots(1920 * 1080, 1, 8), 8U);
+    EXPECT_EQ(peelSlots(1920 * 1080, 2, 8), 4U);
+    EXPECT_EQ(peelSlots(1920 * 1080, 3, 8), 2U);
+    EXPECT_EQ(peelSlots(1920 * 1080, 1, 4), 4U);
+    EXPECT_EQ(peelSlots(16'777'216, 8, 8), 1U) << "one is what it takes";
+    EXPECT_EQ(peelSlots(1, 0, 8), 8U);
 }
 
 }  // namespace
