@@ -150,7 +150,8 @@ TEST_F(PixelPaths, AreNearTheTexelsAtRestWhereValuesJumpWithinAVoxel) {
     }
 }
 
-/// A picture of one sample may be worked on slice by slice: other pictures have their turn meanwhile, and it is the same in the end.
+/// A picture of one sample may be worked on slice by slice: other pictures have their turn meanwhile, and it is the same in the
+/// end.
 TEST_F(PixelPaths, AndTexelsOfOneSampleGrowInSlices) {
     model::FrameRequest wanted = request();
     wanted.quality.samples = 1;
@@ -158,7 +159,8 @@ TEST_F(PixelPaths, AndTexelsOfOneSampleGrowInSlices) {
     lightOf(wanted).samples_max = 1024;
     model::Outputs outputs;
     outputs.depth = true;
-    for (const model::IlluminationMethod method : {model::IlluminationMethod::kPathTracing, model::IlluminationMethod::kLattice}) {
+    for (const model::IlluminationMethod method :
+         {model::IlluminationMethod::kPathTracing, model::IlluminationMethod::kLattice}) {
         lightOf(wanted).method = method;
         render::Target target;
         model::Frame frame = renderer.render(target, wanted, 0, 0, outputs);
