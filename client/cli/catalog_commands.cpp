@@ -71,6 +71,12 @@ std::string glyphText(const v1::Dataset& dataset) {
     return dataset.glyph_count() == 0 && dataset.gpu_bytes() == 0 ? "" : std::to_string(dataset.glyph_count());
 }
 
+/// What a header says is not known before the file was read.
+std::string fibreText(const v1::Dataset& dataset) {
+    if (dataset.step_mm() > 0) return std::to_string(dataset.fibres());
+    return dataset.fibres() == 0 ? "not read yet" : std::to_string(dataset.fibres()) + " by its header";
+}
+
 void list(const Connection& connection, const Options& options) {
     const v1::ListDatasetsResponse response = datasets(connection);
     if (options.json) return print(response);
@@ -86,7 +92,7 @@ void list(const Connection& connection, const Options& options) {
         const bool scalar = tracts || mesh || map || entry.kind() == v1::DATASET_KIND_SCALAR_VOLUME;
         rows.push_back({entry.id(), enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind())),
                         tracts || mesh || map ? "" : sizeText(entry), scalar ? "" : std::to_string(entry.lmax()),
-                        scalar ? "" : glyphText(entry), tracts ? std::to_string(entry.fibres()) : "",
+                        scalar ? "" : glyphText(entry), tracts ? fibreText(entry) : "",
                         scalar && (!tracts || entry.gpu_bytes() == 0) ? "" : residence(entry)});
     }
     print(formatTable({"dataset", "kind", "voxels", "lmax", "glyphs", "fibres", "GPU memory"}, rows));
@@ -131,10 +137,11 @@ std::string describeTracts(const v1::Dataset& entry) {
     return formatTable(
         {"dataset", entry.id()},
         {{"kind", enumWord(*v1::DatasetKind_descriptor()->FindValueByNumber(entry.kind()))},
-         {"fibres", std::to_string(entry.fibres())},
+         {"fibres", fibreText(entry)},
          {"points", std::to_string(entry.points())},
          {"error um", formatNumber(entry.error_mean_um(), 2) + " mean, " + formatNumber(entry.error_max_um(), 2) + " at most"},
          {"step", stepText(entry)},
+         {"remarks", entry.remarks().empty() ? "none" : entry.remarks()},
          {"groups", joined(groups)},
          {"columns per fibre", joined(entry.fibre_columns())},
          {"columns per vertex", joined(entry.vertex_columns())},

@@ -130,7 +130,7 @@ FibletPiece FibletEncoder::choose(const FibletTargets& targets, std::uint64_t fi
                           std::to_string(options_.bound_um) + " um: with steps of " + std::to_string(tables_.codec().step_mm) +
                           " mm and places in cells of " + std::to_string(tables_.codec().cell_mm) +
                           " mm the least error found is " + std::to_string(1e3F * best.max_error_mm) +
-                          " um; allow that much, or set points anew with a smaller step",
+                          " um; allow that much (radiata-convert --bound), or set points anew with a smaller step (--step)",
                       tables_.codec().step_mm, walked_);
 }
 

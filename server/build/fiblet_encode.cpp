@@ -45,6 +45,7 @@ FibletPlan planFiblets(const OpenTractogram& open, const FibletOptions& options,
     }
     const std::unique_ptr<model::TractogramSource> source = open();
     const FibletMeasures measures = measureTractogram(*source, batch_points, partOf(progress, 0, 0.2));
+    requireNarrowCells(open, measures.all, options.bound_um, batch_points);
     FibletPlan plan;
     plan.set.source = source->header().source;
     plan.set.bound_um = options.bound_um;
@@ -53,7 +54,7 @@ FibletPlan planFiblets(const OpenTractogram& open, const FibletOptions& options,
                      high = any ? glm::dvec3(measures.all.bounds_max) : low;
     const glm::dvec3 size = high - low;
     plan.set.origin_mm = low;
-    plan.set.codec.cell_mm = float(std::max(std::max({size.x, size.y, size.z}) / model::kFibletCellMax, 1e-6) * (1 + 1e-6));
+    plan.set.codec.cell_mm = float(fibletCellMm(size));
     setCaps(measures.largest_turn, plan.set.codec);
     double kept = measures.keptStepMm(options.bound_um);
     if (measures.all.length_mm == 0 && measures.all.segments == 0) kept = 1;  // single points
@@ -103,6 +104,7 @@ model::FibletSet encodeAtOnce(const OpenTractogram& open, const FibletOptions& o
     };
     readFibreBatches(*source, kBatchPoints, take, partOf(progress, 0.25, 1));
     set.groups = source->groups();
+    set.remarks = remarksOf(*source);
     set.points = all.points;
     set.errors = all.errors();
     const std::vector<std::uint32_t> order = arrangeFiblets(set, all.fiblets, all.heap, fibres);
@@ -122,8 +124,11 @@ model::FibletSet encodeAtOnce(const OpenTractogram& open, const FibletOptions& o
 }  // namespace
 
 model::FibletSet encodeFiblets(const OpenTractogram& open, const FibletOptions& options, const FibletProgress& progress) {
-    return encodeWithFinerSteps(
-        options, [&](const FibletOptions& now) { return encodeAtOnce(open, now, progress); }, [](const UnheldBound&) {});
+    const auto encode = [&](const OpenTractogram& of) {
+        return encodeWithFinerSteps(
+            options, [&](const FibletOptions& now) { return encodeAtOnce(of, now, progress); }, [](const UnheldBound&) {});
+    };
+    return encodeWithoutStrays(open, options, kBatchPoints, encode, [](const StrayFibres&) {});
 }
 
 model::FibletSet encodeFiblets(const model::Tractogram& tractogram, const FibletOptions& options) {

@@ -12,6 +12,7 @@
 
 #include "base/error.h"
 #include "build/fiblet_measure.h"
+#include "build/fibre_strays.h"
 #include "model/fiblet_set.h"
 #include "model/tractogram.h"
 
@@ -26,6 +27,10 @@ struct FibletOptions {
     /// Steps that are constant may be walked with smaller ones where the bound cannot be held with the points as they are.
     bool walk_rather = false;
     double longest_step_mm = std::numeric_limits<double>::infinity();  ///< of those to choose from
+    /// Fibres with a point farther than this from the middle of the fibres are left out, but keep their numbers.
+    double within_mm = std::numeric_limits<double>::infinity();
+    /// A few fibres so far out that places cannot be kept within the bound are left out, rather than refuse all.
+    bool leave_strays = false;
 };
 
 /// What all fiblets of a tractogram share, and how it is walked.
@@ -62,6 +67,28 @@ auto encodeWithFinerSteps(FibletOptions options, const Encode& encode, const Fin
             options.longest_step_mm = 0.5 * unheld.stepMm();
         }
     }
+}
+
+/// Calls encode(open), with fibres beyond options.within_mm left out; or where that meets StrayFibres, and
+/// options.leave_strays, again without those. \param left_out  told why, before the second attempt
+template <class Encode, class LeftOut>
+auto encodeWithoutStrays(const OpenTractogram& open, const FibletOptions& options, std::size_t batch_points,
+                         const Encode& encode, const LeftOut& left_out) {
+    const auto within = [&](const FibreBall& ball) -> OpenTractogram {
+        return [&open, ball] { return fibresWithin(open(), ball); };
+    };
+    if (options.within_mm < std::numeric_limits<double>::infinity()) {
+        return encode(within({middleOfFibres(*open(), batch_points), options.within_mm}));
+    }
+    FibreBall others;
+    try {
+        return encode(open);
+    } catch (const StrayFibres& strays) {
+        if (!options.leave_strays || !strays.few()) throw;
+        left_out(strays);
+        others = strays.others();
+    }
+    return encode(within(others));
 }
 
 /// Reads the tractogram once, or twice if its steps vary. \param batch_points  that are in memory at once, about

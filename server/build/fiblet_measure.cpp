@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <mutex>
+#include <span>
 #include <string>
 
 #include "base/error.h"
@@ -18,6 +20,34 @@ constexpr int kSteps = 40;  ///< tried ones at most, each 1 / sqrt(2) of the one
 double turnAt(glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
     const glm::dvec3 u = b - a, v = c - b;
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
+}
+
+/// Of the fibre that would have too many steps. \param source  not yet read from
+[[noreturn]] void refuseSteps(model::TractogramSource& source, std::size_t batch_points, double step_mm, double most) {
+    double longest = -1;
+    std::uint64_t fibre = 0;
+    std::size_t points = 0;
+    model::FibreBatch batch;
+    while (source.read(batch, batch_points)) {
+        for (std::size_t f = 0; f < batch.fibreCount(); ++f) {
+            const std::span<const glm::vec3> p = batch.fibre(f);
+            double length = 0;
+            for (std::size_t i = 1; i < p.size(); ++i) length += glm::distance(glm::dvec3(p[i]), glm::dvec3(p[i - 1]));
+            if (length <= longest) continue;
+            longest = length;
+            fibre = batch.first_fibre + f;
+            points = p.size();
+        }
+    }
+    std::array<char, 320> text{};
+    std::snprintf(
+        text.data(), text.size(),
+        ": fibre %llu has %zu points on %.6g mm; a fibre has at most %.0f steps, and those of %.4g mm would be %.0f of "
+        "it; take steps of %.4g mm or more (radiata-convert --step, with --walk-bound if the line turns sharply), or "
+        "leave the fibre out",
+        static_cast<unsigned long long>(fibre), points, longest, most, step_mm, std::ceil(longest / step_mm),
+        1.001 * longest / (most - 1));
+    throw Error(Code::kInvalidArgument, source.header().source + text.data());
 }
 
 }  // namespace
@@ -75,20 +105,19 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
     };
     const double segments = double(std::max<std::uint64_t>(measures.all.segments, 1));
     const double mean = measures.all.length_mm > 0 ? measures.all.length_mm / segments : 1;
-    const double longest = std::min(mean, wish.longest_mm);
+    constexpr double kMost = double(shader::FIBLET_SEGMENTS) * model::kFibletsPerFibre;
+    // Steps so short that a fibre would have too many are of no use, whatever its mean segment.
+    const double longest = std::min(std::max(mean, 1.0001 * measures.all.longest_fibre_mm / (kMost - 1)), wish.longest_mm);
     std::vector<Trial> trials;
     for (int i = 0; i < (wish.step_mm > 0 ? 1 : kSteps); ++i) {
         const double step = wish.step_mm > 0 ? wish.step_mm : longest * std::exp2(-0.5 * i);
         if (i > 0 && 1e3 * trials.back().step_mm <= wish.bound_um) break;  // no vertex is farther away than a step
-        const double most = double(shader::FIBLET_SEGMENTS) * model::kFibletsPerFibre;
-        if (measures.all.longest_fibre_mm / step < most - 1) {
+        if (measures.all.longest_fibre_mm / step < kMost - 1) {
             trials.push_back({step});
         } else if (i > 0) {
             break;
         } else {
-            throw Error(Code::kInvalidArgument, source.header().source + ": the longest fibre has " +
-                                                    std::to_string(measures.all.longest_fibre_mm) + " mm; steps of " +
-                                                    std::to_string(step) + " mm would be more than " + std::to_string(most));
+            refuseSteps(source, batch_points, step, kMost);
         }
     }
     model::FibreBatch batch;
@@ -119,10 +148,11 @@ WalkChoice chooseWalk(model::TractogramSource& source, const FibletMeasures& mea
         return {trial.step_mm, {1e3 * trial.sum_mm / points, 1e3 * trial.max_mm, measures.all.points}};
     }
     const Trial& best = *std::min_element(trials.begin(), trials.end(), [](auto& a, auto& b) { return a.max_mm < b.max_mm; });
-    throw Error(Code::kInvalidArgument,
-                source.header().source + ": the points of fibre " + std::to_string(best.worst) + " cannot be kept within " +
-                    std::to_string(wish.bound_um) + " um of a line with steps of " + std::to_string(best.step_mm) +
-                    " mm; it would take " + std::to_string(1e3 * best.max_mm) + " um, or a smaller step");
+    throw Error(Code::kInvalidArgument, source.header().source + ": the points of fibre " + std::to_string(best.worst) +
+                                            " cannot be kept within " + std::to_string(wish.bound_um) +
+                                            " um of a line with steps of " + std::to_string(best.step_mm) +
+                                            " mm; it would take " + std::to_string(1e3 * best.max_mm) +
+                                            " um (radiata-convert --walk-bound), or a smaller step (--step)");
 }
 
 }  // namespace radiata

@@ -25,6 +25,7 @@ public:
         header_.format = "fiblet";
         header_.fibre_count = set.fibres();
         header_.point_count = set.points;
+        header_.remarks = set.remarks;
         for (const model::FibreColumn& column : set.fibre_columns)
             header_.fibre_columns.push_back({column.name, int(column.components)});
         for (const model::PointColumn& column : set.point_columns) {

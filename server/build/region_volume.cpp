@@ -17,6 +17,23 @@ std::array<glm::dvec3, 8> cornersOf(const glm::dvec3& low, const glm::dvec3& hig
     return corners;
 }
 
+/// The inverse, column by column scaled, so that axes of any lengths that doubles have neither over- nor underflow. A length
+/// below 1e-300 mm is no other region than that.
+glm::dmat3 inverseOf(const glm::dmat3& axes) {
+    glm::dmat3 units;
+    glm::dvec3 lengths;
+    for (int i = 0; i < 3; ++i) {
+        lengths[i] = std::max(std::hypot(axes[i].x, axes[i].y, axes[i].z), 1e-300);
+        units[i] = axes[i] / lengths[i];
+    }
+    const glm::dmat3 inverse = glm::inverse(units);
+    glm::dmat3 scaled;
+    for (int column = 0; column < 3; ++column) scaled[column] = inverse[column] / lengths;
+    return scaled;
+}
+
+double largestPart(const glm::dvec3& v) { return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)}); }
+
 /// Convex regions hold a box or a segment if they hold its corners or ends.
 class Convex : public RegionVolume {
 public:
@@ -34,9 +51,9 @@ protected:
 
 class Ellipsoid : public Convex {
 public:
-    explicit Ellipsoid(const model::FibreRegion& region) : centre_(region.centre), to_ball_(glm::inverse(region.axes)) {
+    explicit Ellipsoid(const model::FibreRegion& region) : centre_(region.centre), to_ball_(inverseOf(region.axes)) {
         for (int i = 0; i < 3; ++i) {
-            half_[i] = glm::length(glm::dvec3(region.axes[0][i], region.axes[1][i], region.axes[2][i]));
+            half_[i] = std::hypot(region.axes[0][i], region.axes[1][i], region.axes[2][i]);
         }
     }
 
@@ -47,8 +64,10 @@ public:
 
     bool meets(const glm::dvec3& a, const glm::dvec3& b) const override {
         const glm::dvec3 q = to_ball_ * (a - centre_), d = to_ball_ * (b - a);
-        const double length2 = glm::dot(d, d);
-        const double t = length2 > 0 ? std::clamp(-glm::dot(q, d) / length2, 0.0, 1.0) : 0;
+        // In units of d, whose square a large or small ellipsoid would make 0 or infinite.
+        const double unit = largestPart(d);
+        const glm::dvec3 direction = unit > 0 ? d / unit : d;
+        const double t = unit > 0 ? std::clamp(-glm::dot(q / unit, direction) / glm::dot(direction, direction), 0.0, 1.0) : 0;
         const glm::dvec3 nearest = q + t * d;
         return glm::dot(nearest, nearest) <= 1;
     }
@@ -107,7 +126,8 @@ private:
 
 class HalfSpace : public Convex {
 public:
-    explicit HalfSpace(const model::FibreRegion& region) : point_(region.centre), normal_(glm::normalize(region.high)) {}
+    explicit HalfSpace(const model::FibreRegion& region)
+        : point_(region.centre), normal_(glm::normalize(region.high / largestPart(region.high))) {}
 
     bool contains(const glm::dvec3& p) const override { return glm::dot(p - point_, normal_) <= 0; }
     bool meets(const glm::dvec3& a, const glm::dvec3& b) const override { return contains(a) || contains(b); }

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 #include <fstream>
+#include <limits>
 
 #include <zlib.h>
 
@@ -16,6 +17,8 @@ namespace radiata::ingest {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMiddlePoints = 1 << 18;  ///< in memory while the fibres' middle is looked for
 
 /// Of what the runs are; the number changes when the same input would give others.
 std::string keyOf(const FibletOptions& o, const std::string& state) {
@@ -123,15 +126,25 @@ std::string stateOf(const std::vector<fs::path>& files) {
 Conversion convertToFiblets(const OpenTractogram& open, const std::string& state, const fs::path& out,
                             const ConversionOptions& options, const FibletProgress& progress,
                             const std::function<void(const std::string&)>& log) {
-    const auto convert = [&](const FibletOptions& fiblets) {
-        ConversionOptions now = options;
-        now.fiblets = fiblets;
-        return convertOnce(open, state, out, now, progress, log);
-    };
+    std::string of_what = state;
     const auto finer = [&](const UnheldBound& unheld) {
         if (log) log(std::string(unheld.what()) + ", which is tried now");
     };
-    return encodeWithFinerSteps(options.fiblets, convert, finer);
+    const auto encode = [&](const OpenTractogram& of) {
+        const auto convert = [&](const FibletOptions& fiblets) {
+            ConversionOptions now = options;
+            now.fiblets = fiblets;
+            return convertOnce(of, of_what, out, now, progress, log);
+        };
+        return encodeWithFinerSteps(options.fiblets, convert, finer);
+    };
+    const auto left_out = [&](const StrayFibres& strays) {
+        of_what += "without strays\n";
+        if (log) log(std::string(strays.what()) + "; what lies farther is left out now");
+    };
+    if (options.fiblets.within_mm < std::numeric_limits<double>::infinity())
+        of_what += "within " + std::to_string(options.fiblets.within_mm) + " mm\n";
+    return encodeWithoutStrays(open, options.fiblets, kMiddlePoints, encode, left_out);
 }
 
 namespace {
@@ -173,6 +186,7 @@ Conversion convertOnce(const OpenTractogram& open, const std::string& state, con
         const RunSums& sums = runs.sums();
         result.set = plan.set;
         result.set.groups = source->groups();
+        result.set.remarks = remarksOf(*source);
         result.set.points = sums.points;
         FibletBlock all;
         all.measured = sums.measured;

@@ -18,7 +18,7 @@ static_assert(std::endian::native == std::endian::little, "files are written as 
 /// The first byte is no text, and the line ends show a transfer that changed them.
 inline constexpr std::array<unsigned char, 8> kMagic{0x89, 'F', 'I', 'B', 'L', 'T', '\r', '\n'};
 inline constexpr std::uint32_t kVersion = 1;
-inline constexpr std::uint32_t kSectionsMax = 65536, kNameMax = 1024, kComponentsMax = 4096;
+inline constexpr std::uint32_t kSectionsMax = 65536, kNameMax = 1024, kComponentsMax = 4096, kRemarksMax = 65536;
 inline constexpr std::uint64_t kAlignment = 64;
 
 struct Header {
@@ -47,6 +47,7 @@ enum Kind : std::uint32_t {
     kPointColumn = 17,  ///< Name with component's number, float[fiblets][2], uint8[fiblets][64]
     kGroup =
         18,  ///< Name with number of columns, uint64 fibres, uint32[fibres], columns: Name with components, float[components]
+    kRemarks = 19,  ///< UTF-8, at most kRemarksMax bytes
 };
 
 struct Section {

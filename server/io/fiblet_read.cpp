@@ -198,6 +198,14 @@ private:
             case kGroup:
                 set.groups.push_back(takeGroup(bytes));
                 break;
+            case kRemarks: {
+                if (section.bytes > kRemarksMax)
+                    fail("has remarks of " + std::to_string(section.bytes) + " bytes; at most " + std::to_string(kRemarksMax) +
+                         " are read");
+                const std::vector<char> text = bytes.take<char>(section.bytes, "remarks");
+                set.remarks.assign(text.begin(), text.end());
+                break;
+            }
             default:
                 throw Error(Code::kUnsupported, name_ + ": has a section of kind " + std::to_string(section.kind) +
                                                     ", which this program does not know");

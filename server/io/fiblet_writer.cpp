@@ -103,6 +103,10 @@ FibletWriter::FibletWriter(const std::filesystem::path& path, const model::Fible
         add(kPointColumn, name, counts.fiblets * sizeof(glm::vec2), 64 * counts.fiblets);
     }
     for (const model::FibreGroup& group : set.groups) add(kGroup, groupContent(group), 0);
+    if (!set.remarks.empty()) {
+        const auto text = std::as_bytes(std::span(set.remarks));
+        add(kRemarks, {text.begin(), text.begin() + std::ptrdiff_t(std::min<std::size_t>(text.size(), kRemarksMax))}, 0);
+    }
     place();
 }
 

@@ -174,8 +174,8 @@ std::unique_ptr<model::TractogramSource> openQfib(const std::filesystem::path& p
     return std::make_unique<QfibSource>(path);
 }
 
-void writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& open, int bits,
-               const std::filesystem::path& path) {
+QfibWritten writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& open, int bits,
+                      const std::filesystem::path& path) {
     double least = 1;
     std::uint64_t fibres = 0;
     model::FibreBatch batch;
@@ -193,7 +193,8 @@ void writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& 
             }
         }
     }
-    const float ratio = qfibRatio(least, bits);
+    // Of straight fibres alone it would be 0, which no reader takes.
+    const float ratio = std::max(qfibRatio(least, bits), 1e-6F);
     const auto count = std::uint32_t(fibres);
     const std::uint8_t version = kVersion, method = 0, width = std::uint8_t(bits);
     WriteFile file(path);
@@ -203,10 +204,20 @@ void writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& 
     put(ratio);
     put(method);
     put(width);
+    QfibWritten done;
+    double sum_mm = 0, max_mm = 0;
     for (const auto source = open(); source->read(batch, kBatchPoints);) {
         for (std::size_t f = 0; f < batch.fibreCount(); ++f) {
             const auto p = batch.fibre(f);
             const std::vector<std::uint16_t> codes = encodeQfib(p, ratio, bits);
+            const std::vector<glm::vec3> decoded = decodeQfib(p[0], p[1], codes, ratio, false, bits);
+            for (std::size_t i = 0; i < p.size(); ++i) {
+                const double error = glm::distance(glm::dvec3(decoded[i]), glm::dvec3(p[i]));
+                sum_mm += error;
+                max_mm = std::max(max_mm, error);
+            }
+            ++done.fibres;
+            done.points += p.size();
             file.writeNumbers(p.first(2));
             put(std::uint16_t(codes.size()));
             std::vector<std::uint8_t> bytes(codes.begin(), codes.end());
@@ -218,6 +229,9 @@ void writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& 
         }
     }
     file.finish();
+    done.mean_um = done.points > 0 ? 1e3 * sum_mm / double(done.points) : 0;
+    done.max_um = 1e3 * max_mm;
+    return done;
 }
 
 }  // namespace radiata::io

@@ -21,12 +21,19 @@ namespace radiata::io {
 /// Both quantisations are read. \throws Error(kNotFound, kUnavailable, kCorrupt, kUnsupported)
 std::unique_ptr<model::TractogramSource> openQfib(const std::filesystem::path& path);
 
+/// What was written, and how far it is from what was given, by decoding.
+struct QfibWritten {
+    std::uint64_t fibres = 0, points = 0;
+    double mean_um = 0, max_um = 0;
+};
+
 /// Writes octahedral codes, with the cap that the authors' program would take.
-/// \param open  gives the tractogram from its beginning; called twice
+/// The file keeps one step a fibre, that between its first two points: where others are longer or shorter the errors grow along
+/// the fibre (build/even_steps.h). \param open  gives the tractogram from its beginning; called twice
 /// \param bits  8 or 16
 /// \throws Error(kInvalidArgument) naming the fibre if it has one point, none, or more than 65537; Error(kUnavailable)
-void writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& open, int bits,
-               const std::filesystem::path& path);
+QfibWritten writeQfib(const std::function<std::unique_ptr<model::TractogramSource>()>& open, int bits,
+                      const std::filesystem::path& path);
 
 /// One fibre, without a file: two points as they are, then codes. \param ratio  of the largest (1 - cos) / 2 and QFib's margin
 std::vector<std::uint16_t> encodeQfib(std::span<const glm::vec3> fibre, float ratio, int bits);

@@ -65,7 +65,7 @@ private:
         const bool said = lps || sections_.title.find("SPACE=RAS") != std::string::npos;
         if (space == VtkSpace::kLps || (space == VtkSpace::kAuto && lps)) sign_ = {-1, -1, 1};
         if (space == VtkSpace::kAuto && !said) {
-            header_.remarks += "The file does not say which way its axes point; RAS is assumed, LPS can be asked for. ";
+            header_.remarks += "The file does not say which way its axes point; RAS is assumed, --vtk-space lps asks for LPS. ";
         }
     }
 

@@ -48,10 +48,11 @@ struct DatasetInfo {
     double step_mm = 0;                                      ///< between points of tractograms
     double set_anew_mean_um = 0, set_anew_max_um = 0;        ///< of the file's points against lines whose points were set anew
     std::uint64_t fibres = 0, points = 0;                    ///< of a tractogram; points of a mesh too
-    std::uint64_t fiblet_pages = 0, resident_pages = 0;      ///< of a tractogram that was drawn: all, and those on the device
-    std::uint64_t triangles = 0;                             ///< of a mesh
-    float value_min = 0, value_max = 0;                      ///< of a scalar volume's finite values
-    glm::dvec3 bounds_min{0}, bounds_max{0};  ///< world mm, outer faces of the voxels with glyphs; points of fibres
+    std::string remarks;  ///< of a tractogram that was read: what was assumed and left out, as sentences
+    std::uint64_t fiblet_pages = 0, resident_pages = 0;  ///< of a tractogram that was drawn: all, and those on the device
+    std::uint64_t triangles = 0;                         ///< of a mesh
+    float value_min = 0, value_max = 0;                  ///< of a scalar volume's finite values
+    glm::dvec3 bounds_min{0}, bounds_max{0};             ///< world mm, outer faces of the voxels with glyphs; points of fibres
 };
 
 }  // namespace radiata::model

@@ -65,6 +65,7 @@ struct FibletSet {
     FibletErrors walk_errors;                      ///< if walked: of the original points against the encoded lines
     double bound_um = 0;                           ///< that was asked for
     std::string source;                            ///< short name for messages
+    std::string remarks;                           ///< what was assumed about the input and left out of it, as sentences
     std::shared_ptr<const FibletPageSource> file;  ///< none: the set has no file
 
     std::uint64_t fibres() const { return fibre_first.empty() ? 0 : fibre_first.size() - 1; }

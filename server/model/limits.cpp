@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <limits>
 #include <sstream>
 #include <string>
+#include <type_traits>
 
 #include "base/error.h"
 #include "math/sh_layout.h"
@@ -15,6 +18,18 @@ namespace {
 [[noreturn]] void refuse(const std::string& message) { throw Error(Code::kInvalidArgument, message); }
 
 bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+
+/// Small numbers as they are: a step of 1e-9 is not "0.000000".
+template <typename Number>
+std::string text(Number value) {
+    std::ostringstream out;
+    if constexpr (std::is_floating_point_v<Number>) {
+        out << std::setprecision(std::numeric_limits<Number>::digits10) << value;
+    } else {
+        out << +value;
+    }
+    return out.str();
+}
 
 std::string text(const glm::dvec3& v) {
     std::ostringstream out;
@@ -41,14 +56,14 @@ void checkSelection(const VoxelSelection& selection, const std::string& where) {
     }
     if (selection.plane == Plane::kOblique) checkDirection(selection.normal, where + ".normal");
     if (selection.region == Region::kSlab && !(selection.thickness_mm > 0 && std::isfinite(selection.thickness_mm))) {
-        refuse(where + ".thickness_mm is " + std::to_string(selection.thickness_mm) + "; it must be finite and above 0");
+        refuse(where + ".thickness_mm is " + text(selection.thickness_mm) + "; it must be finite and above 0");
     }
 }
 
 void checkRange(const ColourRange& range, const std::string& where) {
     const auto [low, high] = range;
     if (!std::isfinite(low) || !std::isfinite(high) || !(low < high) || !std::isfinite(high - low)) {
-        refuse(where + ": the range of the colour map is " + std::to_string(low) + " to " + std::to_string(high) +
+        refuse(where + ": the range of the colour map is " + text(low) + " to " + text(high) +
                "; both must be finite and the second above the first");
     }
 }
@@ -64,10 +79,10 @@ void checkColour(const GlyphColour& colour, const std::string& where) {
 void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) {
     if (uncertainty.dataset_id.empty()) refuse(where + ".dataset_id is empty; the catalogue lists the ids");
     if (!(uncertainty.deviations > 0 && uncertainty.deviations <= 100)) {
-        refuse(where + ".deviations is " + std::to_string(uncertainty.deviations) + "; it must be above 0 and at most 100");
+        refuse(where + ".deviations is " + text(uncertainty.deviations) + "; it must be above 0 and at most 100");
     }
     if (const auto extinction = uncertainty.extinction_per_mm; extinction && !(*extinction > 0 && *extinction <= 1e6F)) {
-        refuse(where + ".extinction_per_mm is " + std::to_string(*extinction) + "; it must be above 0 and at most 1e6");
+        refuse(where + ".extinction_per_mm is " + text(*extinction) + "; it must be above 0 and at most 1e6");
     }
     checkRgb(glm::dvec3(uncertainty.emission), where + ".emission");
 }
@@ -75,15 +90,15 @@ void checkUncertainty(const Uncertainty& uncertainty, const std::string& where) 
 void checkContent(const GlyphLayer& glyphs, const std::string& where) {
     checkSelection(glyphs.selection, where + ".selection");
     if (!(glyphs.scale.factor > 0 && glyphs.scale.factor <= 1e6F)) {
-        refuse(where + ".scale.factor is " + std::to_string(glyphs.scale.factor) + "; it must be above 0 and at most 1e6");
+        refuse(where + ".scale.factor is " + text(glyphs.scale.factor) + "; it must be above 0 and at most 1e6");
     }
     if (glyphs.lmax && (*glyphs.lmax < 0 || *glyphs.lmax > kLmaxLimit)) {
-        refuse(where + ".lmax is " + std::to_string(*glyphs.lmax) + "; it must be 0 to 16");
+        refuse(where + ".lmax is " + text(*glyphs.lmax) + "; it must be 0 to 16");
     }
     checkColour(glyphs.colour, where + ".colour");
     if (glyphs.uncertainty) checkUncertainty(*glyphs.uncertainty, where + ".uncertainty");
     if (!(glyphs.isotropic_part >= 0 && glyphs.isotropic_part <= 10)) {
-        refuse(where + ".isotropic_part is " + std::to_string(glyphs.isotropic_part) + "; it must be 0 to 10");
+        refuse(where + ".isotropic_part is " + text(glyphs.isotropic_part) + "; it must be 0 to 10");
     }
     if (glyphs.isotropic_part > 0 && glyphs.tensor == TensorShape::kEllipsoid) {
         refuse(where + ".isotropic_part is of Reynolds glyphs and spherical harmonics; an ellipsoid has none");
@@ -107,7 +122,7 @@ void checkText(const std::string& text, std::string_view kind, const std::string
 void checkFibres(const FibreSet& fibres, const std::string& where) {
     for (const std::optional<float>& bound : {fibres.length_min_mm, fibres.length_max_mm}) {
         if (bound && !(*bound >= 0 && std::isfinite(*bound))) {
-            refuse(where + ".length is " + std::to_string(*bound) + " mm; it must be 0 or more and finite");
+            refuse(where + ".length is " + text(*bound) + " mm; it must be 0 or more and finite");
         }
     }
     if (fibres.length_min_mm && fibres.length_max_mm && *fibres.length_min_mm > *fibres.length_max_mm) {
@@ -117,13 +132,12 @@ void checkFibres(const FibreSet& fibres, const std::string& where) {
 
 void checkFilters(const TractogramLayer& tracts, const std::string& where) {
     if (std::max(tracts.region_cuts.size(), tracts.criteria.size()) > kFibreFiltersMax) {
-        refuse(where + " has " + std::to_string(tracts.region_cuts.size()) + " region_cuts and " +
-               std::to_string(tracts.criteria.size()) + " criteria; at most " + std::to_string(kFibreFiltersMax) +
-               " of each are possible");
+        refuse(where + " has " + text(tracts.region_cuts.size()) + " region_cuts and " + text(tracts.criteria.size()) +
+               " criteria; at most " + text(kFibreFiltersMax) + " of each are possible");
     }
     for (std::size_t i = 0; i < tracts.region_cuts.size(); ++i) {
         const FibreRegionCut& cut = tracts.region_cuts[i];
-        const std::string at = where + ".region_cuts[" + std::to_string(i) + "]";
+        const std::string at = where + ".region_cuts[" + text(i) + "]";
         checkText(cut.region, "region", at + ".region");
         if (cut.by_depths && parseRegion(cut.region).shape != RegionShape::kMesh) {
             refuse(at + " is by_depths, which are those of a mesh; its region is '" + cut.region +
@@ -134,10 +148,10 @@ void checkFilters(const TractogramLayer& tracts, const std::string& where) {
         refuse(where + " has several region_cuts by_depths; one is possible");
     for (std::size_t i = 0; i < tracts.criteria.size(); ++i) {
         const FibreCriterion& criterion = tracts.criteria[i];
-        const std::string at = where + ".criteria[" + std::to_string(i) + "]";
+        const std::string at = where + ".criteria[" + text(i) + "]";
         if (criterion.column.empty()) refuse(at + ".column is empty; the catalogue lists the columns");
         if (!(criterion.low <= criterion.high)) {
-            refuse(at + " keeps values from " + std::to_string(criterion.low) + " to " + std::to_string(criterion.high) +
+            refuse(at + " keeps values from " + text(criterion.low) + " to " + text(criterion.high) +
                    "; the first must be at most the second");
         }
     }
@@ -153,26 +167,25 @@ void checkFilters(const TractogramLayer& tracts, const std::string& where) {
 void checkContent(const TractogramLayer& tracts, const std::string& where) {
     checkFilters(tracts, where);
     if (tracts.line_width_px < 1 || tracts.line_width_px > kLineWidthMax) {
-        refuse(where + ".line_width_px is " + std::to_string(tracts.line_width_px) + "; it must be 1 to " +
-               std::to_string(kLineWidthMax));
+        refuse(where + ".line_width_px is " + text(tracts.line_width_px) + "; it must be 1 to " + text(kLineWidthMax));
     }
     if (tracts.tube_radius_mm && !(*tracts.tube_radius_mm > 0 && *tracts.tube_radius_mm <= kTubeRadiusMaxMm)) {
-        refuse(where + ".tube_radius_mm is " + std::to_string(*tracts.tube_radius_mm) + "; it must be above 0 and at most 100");
+        refuse(where + ".tube_radius_mm is " + text(*tracts.tube_radius_mm) + "; it must be above 0 and at most 100");
     }
     if (tracts.occlusion_px && !(*tracts.occlusion_px > 0 && *tracts.occlusion_px <= kFibreOcclusionMaxPx)) {
-        refuse(where + ".occlusion_px is " + std::to_string(*tracts.occlusion_px) + "; it must be above 0 and at most 128");
+        refuse(where + ".occlusion_px is " + text(*tracts.occlusion_px) + "; it must be above 0 and at most 128");
     }
     if (tracts.halo_px && !(*tracts.halo_px > 0 && *tracts.halo_px <= kHaloMaxPx)) {
-        refuse(where + ".halo_px is " + std::to_string(*tracts.halo_px) + "; it must be above 0 and at most 8");
+        refuse(where + ".halo_px is " + text(*tracts.halo_px) + "; it must be above 0 and at most 8");
     }
     if (tracts.cuts.size() > kFibreCutsMax) {
-        refuse(where + " has " + std::to_string(tracts.cuts.size()) + " cuts, a slab being two; at most 6 are possible");
+        refuse(where + " has " + text(tracts.cuts.size()) + " cuts, a slab being two; at most 6 are possible");
     }
     for (std::size_t i = 0; i < tracts.cuts.size(); ++i) {
         const FibreCut& cut = tracts.cuts[i];
         const double length = glm::length(cut.normal);
         if (!(length > 0 && std::isfinite(length)) || !std::isfinite(glm::length(cut.point_mm))) {
-            refuse(where + ".cuts[" + std::to_string(i) + "]: point and normal must be finite and the normal not zero");
+            refuse(where + ".cuts[" + text(i) + "]: point and normal must be finite and the normal not zero");
         }
     }
     const FibreColour& colour = tracts.colour;
@@ -182,7 +195,7 @@ void checkContent(const TractogramLayer& tracts, const std::string& where) {
     }
     if (colour.range &&
         !(std::isfinite(colour.range->low) && std::isfinite(colour.range->high) && colour.range->low < colour.range->high)) {
-        refuse(where + ".colour range is " + std::to_string(colour.range->low) + " to " + std::to_string(colour.range->high) +
+        refuse(where + ".colour range is " + text(colour.range->low) + " to " + text(colour.range->high) +
                "; both must be finite, low below high");
     }
     for (int c = 0; c < 3; ++c) {
@@ -196,14 +209,14 @@ void checkContent(const TractogramLayer& tracts, const std::string& where) {
 
 void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
     if (surface.isovalue && !std::isfinite(*surface.isovalue)) {
-        refuse(where + ".isovalue is " + std::to_string(*surface.isovalue) + "; it must be a finite value of the volume");
+        refuse(where + ".isovalue is " + text(*surface.isovalue) + "; it must be a finite value of the volume");
     }
     for (int c = 0; c < 3; ++c) {
         if (surface.colour[c] >= 0 && surface.colour[c] <= 1) continue;
-        refuse(where + ".colour." + "xyz"[c] + " is " + std::to_string(surface.colour[c]) + "; it must be 0 to 1");
+        refuse(where + ".colour." + "xyz"[c] + " is " + text(surface.colour[c]) + "; it must be 0 to 1");
     }
     if (surface.fog && !(*surface.fog > 0 && *surface.fog <= 1)) {
-        refuse(where + ".fog is " + std::to_string(*surface.fog) + "; it must be above 0 and at most 1");
+        refuse(where + ".fog is " + text(*surface.fog) + "; it must be above 0 and at most 1");
     }
     if (!surface.colour_by) return;
     if (surface.colour_by->image_id.empty()) {
@@ -214,10 +227,10 @@ void checkContent(const IsosurfaceLayer& surface, const std::string& where) {
 
 void checkIsosurfaces(const IsosurfaceSettings& settings) {
     if (!(settings.step >= 0.05F && settings.step <= 4)) {
-        refuse("quality.isosurface.step is " + std::to_string(settings.step) + "; it must be 0.05 to 4 voxel edges");
+        refuse("quality.isosurface.step is " + text(settings.step) + "; it must be 0.05 to 4 voxel edges");
     }
     if (settings.bisections < 0 || settings.bisections > 32) {
-        refuse("quality.isosurface.bisections is " + std::to_string(settings.bisections) + "; it must be 0 to 32");
+        refuse("quality.isosurface.bisections is " + text(settings.bisections) + "; it must be 0 to 32");
     }
 }
 
@@ -226,13 +239,13 @@ void checkLayer(const Layer& layer, const std::string& where) {
     if (layer.datasetId().empty()) refuse(content + ".dataset_id is empty; the catalogue lists the ids");
     std::visit([&content](const auto& kind) { checkContent(kind, content); }, layer.content);
     if (!(layer.opacity > 0 && layer.opacity <= 1)) {
-        refuse(where + ".opacity is " + std::to_string(layer.opacity) + "; it must be above 0 and at most 1");
+        refuse(where + ".opacity is " + text(layer.opacity) + "; it must be above 0 and at most 1");
     }
 }
 
 void checkRays(int rays, int rays_max, const std::string& field) {
     if (rays < 1 || rays > rays_max) {
-        refuse(field + " is " + std::to_string(rays) + "; it must be 1 to " + std::to_string(rays_max));
+        refuse(field + " is " + text(rays) + "; it must be 1 to " + text(rays_max));
     }
 }
 
@@ -243,46 +256,44 @@ void checkLight(const Light& light, const Limits& limits) {
         checkDirection(light.direction_camera, "scene.light.direction_camera");
     }
     if (!(light.irradiance >= 0 && light.irradiance <= 100)) {
-        refuse("scene.light.irradiance is " + std::to_string(light.irradiance) + "; it must be 0 to 100");
+        refuse("scene.light.irradiance is " + text(light.irradiance) + "; it must be 0 to 100");
     }
     if (!(light.ambient >= 0 && light.ambient <= 10)) {
-        refuse("scene.light.ambient is " + std::to_string(light.ambient) + "; it must be 0 to 10");
+        refuse("scene.light.ambient is " + text(light.ambient) + "; it must be 0 to 10");
     }
     if (!(light.angular_radius_deg > 0 && light.angular_radius_deg <= limits.angular_radius_max_deg)) {
-        refuse("scene.light.angular_radius_deg is " + std::to_string(light.angular_radius_deg) +
-               "; it must be above 0 and at most " + std::to_string(limits.angular_radius_max_deg));
+        refuse("scene.light.angular_radius_deg is " + text(light.angular_radius_deg) + "; it must be above 0 and at most " +
+               text(limits.angular_radius_max_deg));
     }
     checkRays(light.shadow_rays, limits.shadow_rays_max, "scene.light.shadow_rays");
     if (!light.ambient_occlusion) return;
     const AmbientOcclusion& occlusion = *light.ambient_occlusion;
     checkRays(occlusion.rays, limits.occlusion_rays_max, "scene.light.ambient_occlusion.rays");
     if (occlusion.radius_mm && !(*occlusion.radius_mm > 0 && std::isfinite(*occlusion.radius_mm))) {
-        refuse("scene.light.ambient_occlusion.radius_mm is " + std::to_string(*occlusion.radius_mm) +
-               "; it must be finite and above 0");
+        refuse("scene.light.ambient_occlusion.radius_mm is " + text(*occlusion.radius_mm) + "; it must be finite and above 0");
     }
 }
 
 void checkTensorMarch(const TensorMarchSettings& settings) {
     const std::string where = "quality.tensor_march.";
     if (!(settings.step >= 0.001F && settings.step <= 0.5F)) {
-        refuse(where + "step is " + std::to_string(settings.step) + "; it must be 0.001 to 0.5 radii");
+        refuse(where + "step is " + text(settings.step) + "; it must be 0.001 to 0.5 radii");
     }
     if (settings.bisections < 0 || settings.bisections > 3) {
-        refuse(where + "bisections is " + std::to_string(settings.bisections) + "; it must be 0 to 3");
+        refuse(where + "bisections is " + text(settings.bisections) + "; it must be 0 to 3");
     }
     if (settings.depth < 4 || settings.depth > 16) {
-        refuse(where + "depth is " + std::to_string(settings.depth) + "; it must be 4 to 16");
+        refuse(where + "depth is " + text(settings.depth) + "; it must be 4 to 16");
     }
 }
 
 void checkMethod(const Quality& quality, const Limits& limits) {
     const RayMarchSettings& march = quality.ray_march;
     if (march.steps < 1 || march.steps > limits.ray_march_steps_max) {
-        refuse("quality.ray_march.steps is " + std::to_string(march.steps) + "; it must be 1 to " +
-               std::to_string(limits.ray_march_steps_max));
+        refuse("quality.ray_march.steps is " + text(march.steps) + "; it must be 1 to " + text(limits.ray_march_steps_max));
     }
     if (march.refinements && (*march.refinements < 0 || *march.refinements > 32)) {
-        refuse("quality.ray_march.refinements is " + std::to_string(*march.refinements) + "; it must be 0 to 32");
+        refuse("quality.ray_march.refinements is " + text(*march.refinements) + "; it must be 0 to 32");
     }
     const std::optional<double>& tolerance = quality.polynomial.tolerance;
     if (tolerance && !(*tolerance >= 1e-15 && *tolerance <= 0.1)) {
@@ -299,11 +310,11 @@ void checkMethod(const Quality& quality, const Limits& limits) {
 void checkScene(const Scene& scene, const Limits& limits) {
     if (scene.layers.empty()) refuse("scene.layers is empty; a picture needs at least one layer");
     if (scene.layers.size() > static_cast<std::size_t>(limits.layers_max)) {
-        throw Error(Code::kResourceExhausted, "scene.layers has " + std::to_string(scene.layers.size()) +
-                                                  " layers; the server draws at most " + std::to_string(limits.layers_max));
+        throw Error(Code::kResourceExhausted, "scene.layers has " + text(scene.layers.size()) +
+                                                  " layers; the server draws at most " + text(limits.layers_max));
     }
     for (std::size_t i = 0; i < scene.layers.size(); ++i) {
-        checkLayer(scene.layers[i], "scene.layers[" + std::to_string(i) + "]");
+        checkLayer(scene.layers[i], "scene.layers[" + text(i) + "]");
     }
     checkLight(scene.light, limits);
     if (scene.light.illumination) validate(*scene.light.illumination, "scene.light.illumination");
@@ -314,22 +325,19 @@ void checkScene(const Scene& scene, const Limits& limits) {
 
 void validate(const FrameRequest& request, const Limits& limits) {
     if (request.width < 1 || request.height < 1) {
-        refuse("picture size is " + std::to_string(request.width) + "x" + std::to_string(request.height) +
-               " pixels; both must be at least 1");
+        refuse("picture size is " + text(request.width) + "x" + text(request.height) + " pixels; both must be at least 1");
     }
     if (request.width > limits.width_max || request.height > limits.height_max ||
         static_cast<std::uint64_t>(request.width) * static_cast<std::uint64_t>(request.height) > limits.pixels_max) {
-        throw Error(Code::kResourceExhausted, "picture size is " + std::to_string(request.width) + "x" +
-                                                  std::to_string(request.height) + " pixels; at most " +
-                                                  std::to_string(limits.width_max) + "x" + std::to_string(limits.height_max) +
-                                                  " and " + std::to_string(limits.pixels_max) + " in all are drawn");
+        throw Error(Code::kResourceExhausted, "picture size is " + text(request.width) + "x" + text(request.height) +
+                                                  " pixels; at most " + text(limits.width_max) + "x" + text(limits.height_max) +
+                                                  " and " + text(limits.pixels_max) + " in all are drawn");
     }
     if (request.quality.samples < 1 || request.quality.samples > limits.samples_max) {
-        refuse("quality.samples is " + std::to_string(request.quality.samples) + "; it must be 1 to " +
-               std::to_string(limits.samples_max));
+        refuse("quality.samples is " + text(request.quality.samples) + "; it must be 1 to " + text(limits.samples_max));
     }
     if (request.quality.jpeg_quality < 1 || request.quality.jpeg_quality > 100) {
-        refuse("quality.jpeg_quality is " + std::to_string(request.quality.jpeg_quality) + "; it must be 1 to 100");
+        refuse("quality.jpeg_quality is " + text(request.quality.jpeg_quality) + "; it must be 1 to 100");
     }
     if (request.quality.frozen_culling) {
         cameraFrame(*request.quality.frozen_culling);
@@ -344,8 +352,8 @@ void validate(const FrameRequest& request, const Limits& limits) {
     }
     if (const std::optional<float> detail = request.quality.fiblet_detail_px) {
         if (!(*detail >= kDetailMinPx && *detail <= kDetailMaxPx)) {
-            refuse("quality.fiblet_detail_px is " + std::to_string(*detail) + "; it must be " + std::to_string(kDetailMinPx) +
-                   " to " + std::to_string(kDetailMaxPx) + " pixels");
+            refuse("quality.fiblet_detail_px is " + text(*detail) + "; it must be " + text(kDetailMinPx) + " to " +
+                   text(kDetailMaxPx) + " pixels");
         }
         if (drawsUncompressed(request.quality.fiblet_pipeline)) {
             refuse("quality.fiblet_detail_px draws fewer lines than fiblets have segments; quality.fiblet_pipeline is " +

@@ -20,6 +20,7 @@ public:
     explicit Parser(std::string_view text) : text_(text) {}
 
     FibreRegion parseRegion() {
+        region_only_ = true;
         FibreRegion only = region();
         skipBlanks();
         if (at_ < text_.size()) fail("the end");
@@ -308,6 +309,7 @@ private:
         } else if (takeWord("ellipsoid")) {
             ellipsoid(region);
         } else {
+            if (region_only_) fail("a region (sphere, box, ellipsoid, plane, mask, mesh)");
             fail(
                 "a region or filter (sphere, box, ellipsoid, plane, mask, mesh, order, length, column, group, fibres, share, "
                 "sample)");
@@ -331,13 +333,19 @@ private:
         } else {
             for (int i = 0; i < 9; ++i) region.axes[i / 3][i % 3] = n[static_cast<std::size_t>(3 + i)];
         }
-        const double volume = std::abs(glm::determinant(region.axes));
-        const double lengths = glm::length(region.axes[0]) * glm::length(region.axes[1]) * glm::length(region.axes[2]);
-        if (!(volume > 1e-9 * lengths)) fail("three half axes that span space before this");
+        // Of units, as products of lengths over- and underflow.
+        glm::dmat3 units(0.0);
+        for (int i = 0; i < 3; ++i) {
+            const glm::dvec3& axis = region.axes[i];
+            const double length = std::hypot(axis.x, axis.y, axis.z);
+            if (length > 0) units[i] = axis / length;
+        }
+        if (!(std::abs(glm::determinant(units)) > 1e-9)) fail("three half axes that span space before this");
     }
 
     std::string_view text_;
     std::size_t at_ = 0;
+    bool region_only_ = false;  ///< filters are nothing to cut with
 };
 
 std::string exact(double value) {

@@ -138,6 +138,7 @@ v1::Dataset toProto(const model::DatasetInfo& info) {
     }
     message.mutable_fibre_columns()->Add(info.fibre_columns.begin(), info.fibre_columns.end());
     message.mutable_vertex_columns()->Add(info.vertex_columns.begin(), info.vertex_columns.end());
+    message.set_remarks(info.remarks);
     message.set_step_mm(info.step_mm);
     message.set_set_anew_mean_um(info.set_anew_mean_um);
     message.set_set_anew_max_um(info.set_anew_max_um);

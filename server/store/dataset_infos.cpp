@@ -1,6 +1,8 @@
 #include "store/dataset_infos.h"
 
+#include <filesystem>
 #include <limits>
+#include <system_error>
 
 #include "base/error.h"
 #include "io/fiblet_file.h"
@@ -22,6 +24,7 @@ model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set
     for (const model::PointColumn& column : set.point_columns) {
         if (column.component == 0) info.vertex_columns.push_back(column.name);
     }
+    info.remarks = set.remarks;
     info.step_mm = set.codec.step_mm;
     if (set.walked) {
         info.set_anew_mean_um = set.walk_errors.mean_um;
@@ -64,6 +67,13 @@ model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem:
         const auto source = io::openTractogram(path);
         info.fibres = source->header().fibre_count.value_or(0);
         info.points = source->header().point_count.value_or(0);
+        // Headers lie at times; more than a byte each is impossible in every format, compressed ones at most 1032 to 1.
+        std::error_code failure;
+        const std::uint64_t bytes = std::filesystem::file_size(path, failure);
+        const bool packed = path.extension() == ".gz" || path.extension() == ".trx" || path.extension() == ".vtp";
+        const std::uint64_t most = failure ? model::kFibreCountMax : packed ? 1032 * bytes : bytes;
+        if (info.fibres > most) info.fibres = 0;
+        if (info.points > most) info.points = 0;
     } catch (const Error&) {
         // The list goes on; whoever asks for this dataset gets the reader's sentence.
     }

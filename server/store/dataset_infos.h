@@ -12,7 +12,7 @@ namespace radiata::store {
 
 model::DatasetInfo fibletInfo(const std::string& id, const model::FibletSet& set, const model::FibreMemory& memory = {});
 model::DatasetInfo meshInfo(const std::string& id, const model::TriangleMesh& mesh);
-/// What the header alone says, which may be wrong about counts.
+/// What the header alone says, which may be wrong about counts; 0 where the file is too short for them.
 model::DatasetInfo tractHeaderInfo(const std::string& id, const std::filesystem::path& path);
 
 }  // namespace radiata::store

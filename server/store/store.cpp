@@ -60,7 +60,8 @@ struct Store::Impl {
     gpu::Device& device;
     io::ShOptions options;
     std::function<void(const std::string&)> log;
-    std::filesystem::path tract_cache, lattice_folder;
+    TractReading tracts;
+    std::filesystem::path lattice_folder;
     std::mutex mutex;  ///< of the table, never held while anything loads
     std::map<std::string, std::shared_ptr<Slot>> slots;
     TriangleCache triangles;
@@ -100,7 +101,7 @@ struct Store::Impl {
             return;
         }
         if (isTractName(slot.path)) {
-            slot.fiblets = std::make_shared<const model::FibletSet>(loadTracts(slot.path, tract_cache, log));
+            slot.fiblets = std::make_shared<const model::FibletSet>(loadTracts(slot.path, tracts, log));
             return;
         }
         const io::StoredImage stored = io::readStoredImage(slot.path);
@@ -229,13 +230,12 @@ std::shared_ptr<const GlyphDataset> Store::glyphs(const std::string& id) {
     return slot->dataset;
 }
 
-std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id) {
+std::shared_ptr<const ScalarDataset> Store::scalars(const std::string& id, std::string_view use) {
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     std::lock_guard lock(slot->loading);
     impl_->load(id, *slot);
     if (!slot->scalars) {
-        throw Error(Code::kInvalidArgument,
-                    "dataset '" + id + "' is " + std::string(slot->kind()) + "; colours are taken from a scalar volume");
+        throw Error(Code::kInvalidArgument, "dataset '" + id + "' is " + std::string(slot->kind()) + "; " + std::string(use));
     }
     return slot->scalars;
 }
@@ -257,7 +257,7 @@ std::shared_ptr<FibreSelector> Store::selector(const std::string& id) {
     std::lock_guard lock(slot->loading);
     if (!slot->selector) {
         const auto masks = [this](const std::string& mask) {
-            const std::shared_ptr<const ScalarDataset> volume = scalars(mask);
+            const std::shared_ptr<const ScalarDataset> volume = scalars(mask, "a mask is a scalar volume");
             return std::shared_ptr<const model::ScalarImage>(volume, &volume->image());
         };
         slot->selector = std::make_shared<FibreSelector>(std::move(set), masks, std::uint64_t{1} << 28,
@@ -270,10 +270,12 @@ std::unique_ptr<model::TractogramSource> Store::tracts(const std::string& id) {
     const std::shared_ptr<const model::FibletSet> set = fiblets(id);
     const std::shared_ptr<Impl::Slot> slot = impl_->find(id);
     if (slot->path.empty() || io::isFibletName(slot->path)) return sourceOf(*set);
-    return openTracts(slot->path, {});
+    return openTracts(slot->path, impl_->tracts, {});
 }
 
-void Store::setTractCache(const std::filesystem::path& folder) { impl_->tract_cache = folder; }
+void Store::setTractCache(const std::filesystem::path& folder) { impl_->tracts.cache = folder; }
+
+void Store::setVtkSpace(io::VtkSpace space) { impl_->tracts.vtk_space = space; }
 
 void Store::setLatticeFolder(const std::filesystem::path& folder) { impl_->lattice_folder = folder; }
 

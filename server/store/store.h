@@ -8,11 +8,13 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "gpu/fwd.h"
 #include "io/sh_options.h"
 #include "io/tensor_options.h"
+#include "io/vtk_lines.h"
 #include "model/dataset.h"
 #include "model/fiblet_set.h"
 #include "model/illumination.h"
@@ -47,6 +49,9 @@ public:
 
     /// Where tractograms are kept once they are encoded (store/tract_files.h). Empty, as at first: nowhere.
     void setTractCache(const std::filesystem::path& folder);
+
+    /// Which way the axes of .vtk and .vtp tractograms point. At first: as each says, RAS with a remark if it does not.
+    void setVtkSpace(io::VtkSpace space);
 
     /// Where illumination lattices are saved. Empty, as at first: beside their datasets.
     void setLatticeFolder(const std::filesystem::path& folder);
@@ -85,7 +90,9 @@ public:
     /// The dataset, loaded if it was not; other datasets stay available meanwhile.
     /// \throws as info(); Error(kInvalidArgument) if it is of another kind
     std::shared_ptr<const GlyphDataset> glyphs(const std::string& id);
-    std::shared_ptr<const ScalarDataset> scalars(const std::string& id);
+    /// \param use  what it is wanted for, as messages say it
+    std::shared_ptr<const ScalarDataset> scalars(const std::string& id,
+                                                 std::string_view use = "colours are taken from a scalar volume");
     std::shared_ptr<const model::FibletSet> fiblets(const std::string& id);
     /// What selects of this tractogram, with what it remembers; masks are scalar volumes of the catalogue. \throws as fiblets()
     std::shared_ptr<FibreSelector> selector(const std::string& id);

@@ -58,9 +58,9 @@ std::vector<fs::path> columnsBeside(const fs::path& path) {
 }
 
 /// Whether the column can be read with the tracks to the end.
-bool fits(const fs::path& path, const fs::path& column, const std::function<void(const std::string&)>& log) {
+bool fits(const fs::path& path, io::TractOptions options, const fs::path& column,
+          const std::function<void(const std::string&)>& log) {
     try {
-        io::TractOptions options;
         options.columns = {column};
         const auto source = io::openTractogram(path, options);
         model::FibreBatch batch;
@@ -72,17 +72,20 @@ bool fits(const fs::path& path, const fs::path& column, const std::function<void
     }
 }
 
-io::TractOptions optionsFor(const fs::path& path, const std::function<void(const std::string&)>& log) {
-    io::TractOptions options;
+io::TractOptions optionsFor(const fs::path& path, const TractReading& reading,
+                            const std::function<void(const std::string&)>& log) {
+    const io::TractOptions plain{reading.vtk_space, {}};
+    io::TractOptions options = plain;
     for (const fs::path& column : columnsBeside(path)) {
-        if (fits(path, column, log)) options.columns.push_back(column);
+        if (fits(path, plain, column, log)) options.columns.push_back(column);
     }
     return options;
 }
 
-fs::path cacheFile(const fs::path& path, const fs::path& cache) {
+fs::path cacheFile(const fs::path& path, const TractReading& reading) {
     Hash hash;
-    hash.add("fiblets 1");
+    hash.add("fiblets 2");
+    if (reading.vtk_space != io::VtkSpace::kAuto) hash.add(reading.vtk_space == io::VtkSpace::kLps ? "LPS" : "RAS");
     std::error_code failure;
     fs::path whole = fs::weakly_canonical(path, failure);
     if (failure) whole = path;
@@ -94,11 +97,11 @@ fs::path cacheFile(const fs::path& path, const fs::path& cache) {
         std::sort(files.begin(), files.end());
         for (const fs::path& file : files) addFile(hash, file);
     }
-    return cache / (path.filename().string().substr(0, 100) + "-" + hash.hex() + ".fiblet");
+    return reading.cache / (path.filename().string().substr(0, 100) + "-" + hash.hex() + ".fiblet");
 }
 
 /// What is opened is to be seen: rather lines by other points than none.
-constexpr FibletOptions kOptions{.walk_rather = true};
+constexpr FibletOptions kOptions{.walk_rather = true, .leave_strays = true};
 
 std::string summary(const model::FibletSet& set) {
     std::array<char, 320> text{};
@@ -131,28 +134,35 @@ std::optional<model::FibletSet> readKept(const fs::path& kept, const std::functi
 
 bool isTractName(const fs::path& path) { return io::isFibletName(path) || io::isTractogramName(path); }
 
-std::unique_ptr<model::TractogramSource> openTracts(const fs::path& path, const std::function<void(const std::string&)>& log) {
-    return io::openTractogram(path, optionsFor(path, log));
+std::unique_ptr<model::TractogramSource> openTracts(const fs::path& path, const TractReading& reading,
+                                                    const std::function<void(const std::string&)>& log) {
+    return io::openTractogram(path, optionsFor(path, reading, log));
 }
 
-model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const std::function<void(const std::string&)>& log) {
+model::FibletSet loadTracts(const fs::path& path, const TractReading& reading,
+                            const std::function<void(const std::string&)>& log) {
     const auto say = [&](const std::string& sentence) {
         if (log) log(path.filename().string() + ": " + sentence);
     };
+    const auto sayAll = [&](const model::FibletSet& set, const std::string& from) {
+        say(summary(set) + from);
+        if (!set.remarks.empty()) say(set.remarks);
+    };
+    const fs::path& cache = reading.cache;
     if (io::isFibletName(path)) {
         model::FibletSet set = io::readFiblets(path);
         boundFiblets(set);
-        say(summary(set));
+        sayAll(set, "");
         return set;
     }
-    const fs::path kept = cache.empty() ? fs::path() : cacheFile(path, cache);
+    const fs::path kept = cache.empty() ? fs::path() : cacheFile(path, reading);
     if (auto set = cache.empty() ? std::nullopt : readKept(kept, log)) {
         set->source = path.filename().string();
-        say(summary(*set) + ", from the cache");
+        sayAll(*set, ", from the cache");
         return *std::move(set);
     }
     // The encoder reads the file several times; columns are tried once.
-    const io::TractOptions options = optionsFor(path, log);
+    const io::TractOptions options = optionsFor(path, reading, log);
     const auto open = [&] { return io::openTractogram(path, options); };
     if (!cache.empty()) {
         try {
@@ -166,7 +176,7 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
             ingest::convertToFiblets(open, kept.filename().string(), kept, conversion, {}, say);
             if (auto set = readKept(kept, log)) {
                 set->source = path.filename().string();
-                say(summary(*set));
+                sayAll(*set, "");
                 return *std::move(set);
             }
         } catch (const Error& error) {
@@ -175,7 +185,7 @@ model::FibletSet loadTracts(const fs::path& path, const fs::path& cache, const s
         }
     }
     model::FibletSet set = encodeFiblets(open, kOptions);
-    say(summary(set));
+    sayAll(set, "");
     return set;
 }
 

@@ -41,6 +41,7 @@ void startDevice(Engine& engine, const ProgramOptions& options) {
     engine.store = std::make_unique<store::Store>(*engine.device, options.sh,
                                                   [](const std::string& sentence) { spdlog::info("{}", sentence); });
     engine.store->setTractCache(options.tract_cache);
+    engine.store->setVtkSpace(options.vtk_space);
     engine.store->setLatticeFolder(options.lattice_folder);
     for (const auto& [how, path] : options.tensors) {
         for (const auto& entry : engine.store->add(path, how)) {

@@ -48,7 +48,7 @@ void applyLimit(const std::string& text, model::Limits& limits) {
 
 /// What CLI11 fills in before it becomes options.
 struct Texts {
-    std::string convention, axes, traversal, tensor_axes;
+    std::string convention, axes, traversal, tensor_axes, vtk_space;
     std::vector<std::string> limits, tensors;
 };
 
@@ -89,7 +89,10 @@ void addFlags(CLI::App& app, ProgramOptions& options, Texts& texts) {
            },
            "MiB of device memory for the fiblets of one tractogram; of larger ones parts are read from disk as they are seen; "
            "0: as much as it takes (default)")
-        ->check(CLI::Range(0.0, 16'777'216.0));
+        ->check(numberBetween(0, 16'777'216));
+    app.add_option("--vtk-space", texts.vtk_space,
+                   "Axes of .vtk and .vtp tractograms, whatever they say: ras, lps; else as each says, RAS if it does not")
+        ->check(CLI::IsMember({"ras", "lps"}));
     app.add_option("--lattice-folder", options.lattice_folder,
                    "Folder that keeps illumination lattices that were asked for as a whole (default: beside their datasets)");
     app.add_option("--limits", texts.limits,
@@ -121,6 +124,8 @@ void finish(ProgramOptions& options, const Texts& texts) {
     checkListen(options.server.listen);
     if (!texts.convention.empty()) options.sh.convention = shConventionFromName(texts.convention);
     if (!texts.axes.empty()) options.sh.axes = shAxesFromName(texts.axes);
+    if (texts.vtk_space == "ras") options.vtk_space = io::VtkSpace::kRas;
+    if (texts.vtk_space == "lps") options.vtk_space = io::VtkSpace::kLps;
     if (texts.traversal == "ray_query") options.traversal = model::Traversal::kRayQuery;
     if (texts.traversal == "bvh") options.traversal = model::Traversal::kBvh;
     if (texts.traversal == "tiles") options.traversal = model::Traversal::kTiles;

@@ -10,6 +10,7 @@
 #include "gpu/device.h"
 #include "io/sh_options.h"
 #include "io/tensor_options.h"
+#include "io/vtk_lines.h"
 #include "service/server.h"
 #include "session/conductor.h"
 
@@ -23,6 +24,7 @@ struct ProgramOptions {
     std::vector<std::filesystem::path> data;
     std::vector<std::pair<io::TensorOptions, std::filesystem::path>> tensors;
     std::filesystem::path tract_cache, lattice_folder;
+    io::VtkSpace vtk_space = io::VtkSpace::kAuto;          ///< of .vtk and .vtp tractograms
     model::Traversal traversal = model::Traversal::kAuto;  ///< for requests that leave it open
     std::optional<int> stub_render_ms;
     bool list_devices = false;

@@ -98,6 +98,45 @@ class ConvertTest(unittest.TestCase):
             self.assertEqual(failed.returncode, 1)
             self.assertIn(word, failed.stderr)
 
+    def tracts(self, *arguments, **options):
+        return run("radiata-convert", "tracts", *arguments, **options)
+
+    def tck(self, name, tracks, lines=("datatype: Float32LE",)):
+        nan, inf = math.nan, math.inf
+        numbers = [n for track in tracks for point in [*track, (nan,) * 3] for n in point] + [inf] * 3
+        header = "\n".join(["mrtrix tracks", *lines, "file: . 200", "END"]).encode().ljust(200, b"\n")
+        path = self.folder / name
+        path.write_bytes(header + struct.pack(f"<{len(numbers)}f", *numbers))
+        return path
+
+    def test_tracts_say_what_was_assumed_left_out_and_lost(self):
+        line = [(0.2 * i, 5 * math.sin(0.04 * i), 0) for i in range(100)]
+        odd = self.tck("odd.tck", [line, [(1e9, 0, 0)]], lines=())
+        stray = self.tck("stray.tck", [line, [(15000, 0, 0), (15000, 0.2, 0)]])
+        uneven = self.tck("uneven.tck", [[(x * x / 100, 0.01 * x * x * x / 100, 0) for x in range(60)]])
+        assumed = "The header names no datatype; Float32LE is assumed. 1 fibre is left out"
+        for ending in ("fiblet", "tck", "fiblet76"):
+            self.assertIn(f"odd.tck: {assumed}", self.tracts(odd, self.folder / f"o.{ending}").stdout, ending)
+        self.assertIn(assumed, self.tracts(self.folder / "o.fiblet", self.folder / "again.tck").stdout)
+        out = self.folder / "out.fiblet"
+        done = self.tracts(stray, out, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("fibre 1 reaches (15000.0", done.stderr)
+        within = done.stderr.split("--within ")[1].split(")")[0]
+        self.assertIn("1 fibre reaches farther than", self.tracts(stray, out, "--within", within).stdout)
+        for name in ("u.qfib", "u.fiblet76"):
+            self.assertRegex(self.tracts(uneven, self.folder / name).stdout,
+                             r"bytes a point, error mean .*um\n.*points were set anew.*um at most")
+            self.assertEqual(self.tracts(self.folder / name, self.folder / "u.tck").returncode, 0)
+        empty = self.tck("empty.tck", [])
+        for name in ("e.fiblet", "e.qfib", "e.fiblet76"):
+            said = self.tracts(empty, self.folder / name).stdout
+            self.assertIn("0 fibres, 0 points", said)
+            self.assertNotIn("inf", said)
+            self.tracts(self.folder / name, self.folder / "e.tck")
+        for option, value in (("--step", "nan"), ("--within", "nan"), ("--within", 0), ("--vtk-space", "las")):
+            self.assertEqual(self.tracts(stray, out, option, value, check=False).returncode, 2, option)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -1,4 +1,4 @@
-// Writes small valid .fiblet and .qfib files as the seed corpus of the target "fiblets": make_fiblet_corpus FOLDER.
+// Writes small valid .fiblet, .fiblet76 and .qfib files as the seed corpus of the target "fiblets": make_fiblet_corpus FOLDER.
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "build/fiblet_encode.h"
+#include "ingest/fiblet76_file.h"
 #include "io/fiblet_file.h"
 #include "io/qfib.h"
 #include "support/random_fibres.h"
@@ -33,6 +34,7 @@ void write(const std::filesystem::path& folder) {
         set.fibre_columns = {{"weight", 2, std::vector<float>(2 * set.fibres(), 0.5F)}};
         set.point_columns = {{"fa", 0, std::vector<glm::vec2>(set.heads.size(), glm::vec2(0, 1)),
                               std::vector<std::uint8_t>(64 * set.heads.size(), 7)}};
+        set.remarks = "Something was assumed.";
         set.groups = {{"left", {0}, {{"volume", 2}}, {{1.0F, 2.0F}}}};
         io::writeFiblets(set, one);
         seed(one, folder / ("fiblet_" + std::to_string(fibres)), 1);
@@ -46,6 +48,8 @@ void write(const std::filesystem::path& folder) {
         io::writeQfib([&] { return model::sourceOf(tractogram); }, bits, one);
         seed(one, folder / ("qfib_" + std::to_string(bits)), 0);
     }
+    ingest::writeFiblet76([&] { return model::sourceOf(tractogram); }, {}, one);
+    seed(one, folder / "fiblet76", 3);
     std::filesystem::remove(one);
 }
 

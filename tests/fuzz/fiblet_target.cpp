@@ -1,6 +1,6 @@
-// Any bytes given to the readers of .fiblet and .qfib files: they either read them or throw Error, and what they read can be
-// decoded. The first byte chooses: 0 a .qfib file; 1 a .fiblet file as it is; else one whose sizes and checksums are put right
-// first, so that what lies behind them is met, too.
+// Any bytes given to the readers of .fiblet, .fiblet76 and .qfib files: they either read them or throw Error, and what they
+// read can be decoded. The first byte chooses: 0 a .qfib file; 1 a .fiblet file as it is; 3 a .fiblet76 file and else a .fiblet
+// file whose sizes and checksums are put right first, so that what lies behind them is met, too.
 #include <unistd.h>
 
 #include <algorithm>
@@ -16,7 +16,9 @@
 
 #include "base/error.h"
 #include "build/fiblet_pages.h"
+#include "build/fiblet_paper.h"
 #include "build/fiblet_source.h"
+#include "ingest/fiblet76_file.h"
 #include "io/fiblet_file.h"
 #include "io/fiblet_layout.h"
 #include "io/qfib.h"
@@ -81,9 +83,28 @@ void repair(std::string& bytes) {
     std::memcpy(bytes.data(), &header, sizeof header);
 }
 
-void readAndDecode(const std::filesystem::path& path, bool qfib) {
-    if (qfib) {
-        model::readAll(*io::openQfib(path), 1U << 28);
+/// The same of a .fiblet76 file: as many records as there is room for.
+void repair76(std::string& bytes) {
+    ingest::Fiblet76Header header;
+    if (bytes.size() < sizeof header) return;
+    std::memcpy(static_cast<void*>(&header), bytes.data(), sizeof header);
+    header.magic = ingest::kFiblet76Magic;
+    header.version = 1;
+    header.record_bytes = kPaperBytes;
+    header.fiblets = std::min<std::uint64_t>((bytes.size() - sizeof header) / kPaperBytes, ingest::kFiblet76Block);
+    bytes.resize(sizeof header + kPaperBytes * header.fiblets + (header.fiblets > 0 ? 4 : 0));
+    header.file_bytes = bytes.size();
+    header.crc = 0;
+    header.crc = crcOf(std::as_bytes(std::span(&header, 1)));
+    std::memcpy(bytes.data(), &header, sizeof header);
+    if (header.fiblets == 0) return;
+    const std::uint32_t crc = crcOf(part(bytes, sizeof header, kPaperBytes * header.fiblets));
+    std::memcpy(bytes.data() + bytes.size() - 4, &crc, 4);
+}
+
+void readAndDecode(const std::filesystem::path& path, std::uint8_t choice) {
+    if (choice == 0 || choice == 3) {
+        model::readAll(*(choice == 0 ? io::openQfib(path) : ingest::openFiblet76(path)), 1U << 28);
         return;
     }
     model::FibletSet set = io::readFiblets(path);
@@ -96,11 +117,15 @@ void readAndDecode(const std::filesystem::path& path, bool qfib) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     if (size == 0) return 0;
     std::string bytes(reinterpret_cast<const char*>(data) + 1, size - 1);
-    if (data[0] > 1) repair(bytes);
+    if (data[0] == 3) {
+        repair76(bytes);
+    } else if (data[0] > 1) {
+        repair(bytes);
+    }
     const std::filesystem::path path = inputPath();
     std::ofstream(path, std::ios::binary).write(bytes.data(), std::streamsize(bytes.size()));
     try {
-        readAndDecode(path, data[0] == 0);
+        readAndDecode(path, data[0]);
     } catch (const Error&) {
     }
     std::filesystem::remove(path);

@@ -174,7 +174,7 @@ TEST(Catalog, RefusesOddAspectsAndSelections) {
     EXPECT_THAT(fit(request).error_message(), HasSubstr("aspect is 0.0"));
     request.set_aspect(1);
     request.mutable_selection()->mutable_slab()->set_thickness_mm(-1);
-    EXPECT_EQ(fit(request).error_message(), "selection.thickness_mm is -1.000000; it must be finite and above 0");
+    EXPECT_EQ(fit(request).error_message(), "selection.thickness_mm is -1; it must be finite and above 0");
     request.clear_selection();
     request.set_dataset_id("nobody");
     EXPECT_EQ(fit(request).error_code(), grpc::StatusCode::NOT_FOUND);

@@ -14,9 +14,11 @@
 #include "gpu/device/fixture.h"
 #include "io/tractogram.h"
 #include "model/selection_text.h"
+#include "store/dataset_infos.h"
 #include "store/store.h"
 #include "support/random_fibres.h"
 #include "unit/io/image_bytes.h"
+#include "unit/io/tract_bytes.h"
 
 namespace radiata::store {
 namespace {
@@ -49,9 +51,9 @@ TEST(TractFiles, AreEncodedOnceAndReadFromTheCacheAfterwards) {
     io::writeTractogram(*model::sourceOf(tracts()), file);
     std::vector<std::string> said;
     const auto log = [&](const std::string& sentence) { said.push_back(sentence); };
-    const model::FibletSet first = loadTracts(file, cache, log);
+    const model::FibletSet first = loadTracts(file, {cache}, log);
     EXPECT_EQ(filesIn(cache), 1U);
-    const model::FibletSet second = loadTracts(file, cache, log);
+    const model::FibletSet second = loadTracts(file, {cache}, log);
     ASSERT_EQ(said.size(), 2U);
     EXPECT_THAT(said[0], testing::StartsWith("a.trx: 60 fibres, "));
     EXPECT_THAT(said[1], testing::EndsWith("from the cache"));
@@ -64,11 +66,11 @@ TEST(TractFiles, AreEncodedOnceAndReadFromTheCacheAfterwards) {
     more.fibres.points[0].x += 1;
     io::writeTractogram(*model::sourceOf(more), file);
     fs::last_write_time(file, fs::last_write_time(file) + std::chrono::seconds(2));
-    loadTracts(file, cache, log);
+    loadTracts(file, {cache}, log);
     EXPECT_EQ(filesIn(cache), 2U);
     for (const auto& entry : fs::directory_iterator(cache)) fs::resize_file(entry.path(), 100);
     said.clear();
-    EXPECT_EQ(loadTracts(file, cache, log).fibres(), 60U);
+    EXPECT_EQ(loadTracts(file, {cache}, log).fibres(), 60U);
     ASSERT_EQ(said.size(), 2U);
     EXPECT_THAT(said[0], testing::EndsWith("it is made anew"));
 }
@@ -82,7 +84,7 @@ TEST(TractFiles, AreServedFromMemoryWhenTheCacheCannotBeWritten) {
     // A device that is always full, and a file where the folder should be.
     const fs::path full = folder.path() / "full";
     std::ofstream(full) << "no folder";
-    EXPECT_EQ(loadTracts(file, full / "fiblets", log).fibres(), 60U);
+    EXPECT_EQ(loadTracts(file, {full / "fiblets"}, log).fibres(), 60U);
     EXPECT_THAT(said, testing::HasSubstr("served from memory, nothing is kept for the next start"));
     EXPECT_EQ(loadTracts(file, {}, log).fibres(), 60U);
 }
@@ -115,17 +117,67 @@ TEST(TractFiles, AreServedFromMemoryWhenTheDiskIsFull) {
     little.rlim_cur = 1024;
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &little), 0);
     std::string said;
-    const model::FibletSet set = loadTracts(file, cache, [&](const std::string& sentence) { said += sentence + "\n"; });
+    const model::FibletSet set = loadTracts(file, {cache}, [&](const std::string& sentence) { said += sentence + "\n"; });
     setrlimit(RLIMIT_FSIZE, &before);
     std::signal(SIGXFSZ, handler);
     EXPECT_EQ(set.fibres(), 60U);
     EXPECT_THAT(said, testing::HasSubstr("served from memory"));
     EXPECT_TRUE(fs::is_empty(cache));
-    EXPECT_EQ(loadTracts(file, cache, {}).fibres(), 60U);
+    EXPECT_EQ(loadTracts(file, {cache}, {}).fibres(), 60U);
     EXPECT_FALSE(fs::is_empty(cache)) << "once there is room again it is kept";
 }
 
+/// What was assumed about a file and left out of it is said when it is read, and again when it comes from the cache.
+TEST(TractFiles, SayWhatWasAssumedAndLeftOut) {
+    const test::TempFolder folder;
+    std::vector<double> numbers = {1, 2, 3, 1.2, 2, 3, test::kNanNumber, test::kNanNumber, test::kNanNumber};
+    // One fibre at 1000 m, and one 90 m from the others.
+    for (const double far : {1e6, 9e4})
+        numbers.insert(numbers.end(), {1, 2, 3, far, 2, 3, test::kNanNumber, test::kNanNumber, test::kNanNumber});
+    for (int i = 0; i < 3; ++i) numbers.push_back(test::kInfNumber);
+    folder.write("odd.tck", test::tckBytes({"mrtrix tracks", "file: . 200"}, numbers));
+    const fs::path cache = folder.path() / "cache";
+    for (const char* from : {"read", "cache"}) {
+        std::string said;
+        const model::FibletSet set =
+            loadTracts(folder.path() / "odd.tck", {cache}, [&](const std::string& sentence) { said += sentence + "\n"; });
+        EXPECT_EQ(set.fibres(), 3U);
+        EXPECT_EQ(set.heads.size(), 1U) << "two are left out";
+        EXPECT_THAT(said, testing::HasSubstr("odd.tck: The header names no datatype; Float32LE is assumed. 1 fibre reaches "
+                                             "farther than "))
+            << from;
+        EXPECT_THAT(said, testing::HasSubstr("1 fibre is left out, but keeps its number: it has coordinates")) << from;
+        EXPECT_EQ(fibletInfo("odd", set).remarks, set.remarks);
+    }
+}
+
+TEST(TractFiles, AreNotBelievedMoreFibresThanTheyHaveRoomFor) {
+    const test::TempFolder folder;
+    folder.write("lies.tck", test::tckBytes(test::tckLines("Float32LE", "1000000000000000"), test::twoTracks()));
+    folder.write("says.tck", test::tckBytes(test::tckLines("Float32LE", "2"), test::twoTracks()));
+    EXPECT_EQ(tractHeaderInfo("a", folder.path() / "lies.tck").fibres, 0U);
+    EXPECT_EQ(tractHeaderInfo("a", folder.path() / "says.tck").fibres, 2U);
+}
+
 class TractStore : public gpu::DeviceTest {};
+
+TEST_F(TractStore, TurnsVtkAxesOnRequest) {
+    const test::TempFolder folder;
+    folder.write("lines.vtk", test::vtkText());
+    Store store(device, {});
+    store.setTractCache(folder.path() / "cache");
+    store.add(folder.path() / "lines.vtk");
+    Store turned(device, {});
+    turned.setTractCache(folder.path() / "cache");
+    turned.setVtkSpace(io::VtkSpace::kLps);
+    turned.add(folder.path() / "lines.vtk");
+    EXPECT_THAT(store.info("lines").remarks, testing::HasSubstr("RAS is assumed, --vtk-space lps"));
+    EXPECT_EQ(turned.info("lines").remarks, "");
+    EXPECT_NEAR(turned.info("lines").bounds_min.x, -store.info("lines").bounds_max.x, 0.02);
+    EXPECT_NEAR(turned.info("lines").bounds_min.z, store.info("lines").bounds_min.z, 0.02);
+    const glm::vec3 first = model::readAll(*store.tracts("lines")).fibres.points[0];
+    EXPECT_EQ(model::readAll(*turned.tracts("lines")).fibres.points[0], glm::vec3(-first.x, -first.y, first.z));
+}
 
 TEST_F(TractStore, ListsTractogramsSelectsAndHandsThemOut) {
     const test::TempFolder folder;
@@ -156,7 +208,12 @@ TEST_F(TractStore, ListsTractogramsSelectsAndHandsThemOut) {
     mask.values = {1};
     store.add("everywhere", std::move(mask));
     EXPECT_EQ(store.selector("zip")->select(model::parseSelection("all mask(everywhere)")).count(), 60U);
-    EXPECT_THROW(store.selector("zip")->select(model::parseSelection("mask(zip)")), Error);
+    try {
+        store.selector("zip")->select(model::parseSelection("mask(zip)"));
+        ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_STREQ(error.what(), "dataset 'zip' is a tractogram; a mask is a scalar volume");
+    }
 }
 
 }  // namespace

@@ -126,11 +126,19 @@ TEST(FibletEncode, RefusesWhatItCannotHoldByTheFibresName) {
                 AllOf(HasSubstr("fibre"), HasSubstr("cannot be encoded within 0.3"), HasSubstr("least error")));
     test::Fibres far = test::randomFibres(9, 2, 50, 0.1, 0.1);
     far.add({glm::vec3(90'000, 0, 0)});
-    EXPECT_THAT(refusal(far, {}), AllOf(HasSubstr("fibre 0"), HasSubstr("cells of 0.08")));
+    EXPECT_THAT(refusal(far, {}),
+                AllOf(HasSubstr("fibre 2 reaches (90000.0, 0.0, 0.0) mm"), HasSubstr("each 85.8733 um wide")));
     test::Fibres long_one;
     long_one.add(std::vector<glm::vec3>(63 * 4096 + 2, glm::vec3(0)));
     for (std::size_t i = 0; i < long_one.points.size(); ++i) long_one.points[i].x = float(i % 2);
     EXPECT_THAT(refusal(long_one, {.bound_um = 1e6}), AllOf(HasSubstr("fibre 0"), HasSubstr("258050 points")));
+    test::Fibres walk;  // whose steps vary
+    walk.add({glm::vec3(0), glm::vec3(1, 0, 0), glm::vec3(3, 0, 0)});
+    walk.add(std::vector<glm::vec3>(100, glm::vec3(0)));
+    for (std::size_t i = 3; i < walk.points.size(); ++i) walk.points[i].x = float(1000 * (i % 2));
+    EXPECT_THAT(refusal(walk, {.step_mm = 0.1}),
+                AllOf(HasSubstr("fibre 1 has 100 points on 99000 mm"), HasSubstr("at most 258048 steps"),
+                      HasSubstr("those of 0.1 mm would be 990000 of it; take steps of 0.384 mm or more")));
     fibres.points[5].y = NAN;
     EXPECT_THAT(refusal(fibres, {}), AllOf(HasSubstr("point 5 of fibre 0"), HasSubstr("not finite")));
     EXPECT_THAT(refusal({}, {.bound_um = 0}), HasSubstr("above 0"));

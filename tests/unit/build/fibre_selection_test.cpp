@@ -199,5 +199,24 @@ TEST_F(FibreSelection, KeepsWhatItCanHold) {
     EXPECT_EQ(small.select(model::parseSelection("sphere(0, 0, 0, 20)")), first);
 }
 
+/// Squares of lengths that doubles hold over- and underflow.
+TEST_F(FibreSelection, HoldsForRegionsOfAnySize) {
+    const auto count = [&](const std::string& text) { return select(text).count(); };
+    const std::size_t all = count("sphere(0,0,0,1e5)");
+    EXPECT_GT(all, 1400U);
+    for (const char* radius : {"1e100", "1e155", "1e300"}) {
+        const std::string r = radius;
+        EXPECT_EQ(count("sphere(0,0,0," + r + ")"), all) << r;
+        EXPECT_EQ(count("all sphere(0,0,0," + r + ")"), all) << r;
+        EXPECT_EQ(count("ellipsoid(0,0,0," + r + ",30,20)"), count("ellipsoid(0,0,0,1e5,30,20)")) << r;
+    }
+    for (const char* radius : {"1e-100", "1e-155", "1e-300", "1e-320"})
+        EXPECT_EQ(count("sphere(500,0,0," + std::string(radius) + ")"), 0U) << radius;
+    const std::size_t half = count("plane(0,0,0,1,0,0)");
+    EXPECT_GT(all, half);
+    for (const char* length : {"1e-320", "1e-200", "1e-100", "1e200", "1e308"})
+        EXPECT_EQ(count("plane(0,0,0," + std::string(length) + ",0,0)"), half) << length;
+}
+
 }  // namespace
 }  // namespace radiata

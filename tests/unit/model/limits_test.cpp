@@ -205,6 +205,13 @@ TEST(Limits, RefusesUnusableShadowsAndAmbientOcclusion) {
     validate(request, Limits{});
 }
 
+TEST(Limits, SaysSmallValuesAsTheyAre) {
+    expectRefused({"step is 1e-09; it must be 0.05 to 4", Code::kInvalidArgument,
+                   [](FrameRequest& r) { r.quality.isosurface.step = 1e-9F; }});
+    expectRefused({"irradiance is 100.5; it must be 0 to 100", Code::kInvalidArgument,
+                   [](FrameRequest& r) { r.scene.light.irradiance = 100.5F; }});
+}
+
 TEST(Limits, ChecksTheCamera) {
     expectRefused({"camera: up", Code::kInvalidArgument, [](FrameRequest& r) { r.camera.up = glm::dvec3(0); }});
 }

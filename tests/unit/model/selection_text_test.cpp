@@ -102,5 +102,16 @@ TEST(SelectionText, ARegionsTextNamesItExactly) {
               regionText(parseSelection("sphere(0,0,0,1.0000000000000002)").regions[0]));
 }
 
+TEST(SelectionText, RegionsAloneAreNotFilters) {
+    EXPECT_EQ(parseRegion("sphere(1,2,3,4)").centre, glm::dvec3(1, 2, 3));
+    try {
+        parseRegion("length(1,2)");
+        ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+        EXPECT_THAT(error.what(),
+                    testing::HasSubstr("'length(1,2)' where a region (sphere, box, ellipsoid, plane, mask, mesh)"));
+    }
+}
+
 }  // namespace
 }  // namespace radiata::model
