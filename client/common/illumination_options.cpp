@@ -178,7 +178,7 @@ std::string describe(const v1::IlluminationProgress& progress, const v1::Illumin
                        ")";
     if (progress.texels_out_of_samples() > 0) {
         line += ", " + count(progress.texels_out_of_samples()) +
-                " of them by the most samples they may have, less exact than asked for";
+                " of them by the most samples they may have, not known to be as exact as asked for";
     }
     char text[128];
     std::snprintf(text, sizeof text, ", standard error %.2g %% (95th percentile %.2g %%), %.2f s", 100 * progress.mean_error(),
